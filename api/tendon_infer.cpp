@@ -197,7 +197,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
   answer.outcome.warn(doubts_of(free.posterior));
   if (progress.stop()) return;
   // Rank the trials that could be measured next.
-  const FitProblem& all = problems.all();
+  const FitProblem& all = problems.full_problem();
   const std::vector<RankedTrial> ranked =
       rank_trials(problems, free.posterior, possible_trials(all.digit(), all.experiments().front()),
                   parts.next(0.05));

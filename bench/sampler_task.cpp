@@ -32,7 +32,7 @@ Eigen::MatrixXd sample(HaarioMetropolis& chain, const HandPosterior& posterior,
   run.warm_up += warm - start;
   run.sampling += processor_seconds() - warm;
   for (Eigen::Index k = 0; k < draws.cols(); ++k)
-    draws.col(k) = posterior.from_fit(draws.col(k).eval());
+    draws.col(k) = posterior.from_fit_coordinates(draws.col(k).eval());
   return draws;
 }
 
@@ -54,10 +54,11 @@ Prepared prepare(const HandPosterior& posterior, int chains, unsigned seed) {
   search.seed = seed;
   Prepared out;
   out.modes = find_modes(problem, search).modes;
-  out.covariance = laplace_covariance(posterior, posterior.from_fit(out.modes.front().z));
+  out.covariance =
+      laplace_covariance(posterior, posterior.from_fit_coordinates(out.modes.front().z));
   const Eigen::MatrixXd z = dispersed_starts(problem, out.modes, chains, 2, seed);
   out.starts.resize(posterior.size(), chains);
-  for (int k = 0; k < chains; ++k) out.starts.col(k) = posterior.from_fit(z.col(k));
+  for (int k = 0; k < chains; ++k) out.starts.col(k) = posterior.from_fit_coordinates(z.col(k));
   out.seconds = processor_seconds() - start;
   return out;
 }

@@ -7,7 +7,8 @@
 namespace thenar {
 namespace {
 
-/// Lower triangle of X with half of its diagonal: d(L) = L half_lower(L^-1 dS L^-T) where L L' = S.
+/// Returns the lower triangle of X with half of its diagonal: d(L) = L half_lower(L^-1 dS L^-T)
+/// where L L' = S.
 Eigen::Matrix3d half_lower(const Eigen::Matrix3d& X) {
   Eigen::Matrix3d out = X.triangularView<Eigen::StrictlyLower>();
   out.diagonal() = 0.5 * X.diagonal();
@@ -19,7 +20,8 @@ Eigen::Matrix3d half_lower(const Eigen::Matrix3d& X) {
 Residuals activation_residuals(const ActivationTask& task,
                                const Eigen::Ref<const Eigen::Matrix3Xd>& A,
                                const Eigen::Ref<const Eigen::MatrixXd>& A_u) {
-  // Noise; a component that is not fitted has residual 0 and variance 1, and adds nothing.
+  // Sum the error and the covariance; a component that is not fitted has residual 0 and variance 1,
+  // and adds nothing.
   const auto pulls = static_cast<Eigen::Index>(task.pulls.size());
   const Eigen::Vector3d noise = task.sd.array().isFinite().select(task.sd, Eigen::Vector3d::Ones());
   Eigen::Vector3d error = task.sd.array().isFinite().select(-task.force, Eigen::Vector3d::Zero());
@@ -30,7 +32,7 @@ Residuals activation_residuals(const ActivationTask& task,
     S += pull.variance * A.col(j) * A.col(j).transpose();
   }
 
-  // Whitened error, and how much wider the errors of tensions make the force than its noise.
+  // Whiten the error; widening is the log determinant that errors of tensions add to the noise.
   const Eigen::LLT<Eigen::Matrix3d> llt(S);
   const Eigen::Matrix3d L = llt.matrixL();
   const Eigen::Vector3d r = L.triangularView<Eigen::Lower>().solve(error);
@@ -42,7 +44,7 @@ Residuals activation_residuals(const ActivationTask& task,
   out.r << r, s;
   if (A_u.cols() == 0) return out;
 
-  // Slopes: dr = L^-1 d(error) - half_lower(L^-1 dS L^-T) r,  ds = tr(S^-1 dS) / (2 s).
+  // Differentiate: dr = L^-1 d(error) - half_lower(L^-1 dS L^-T) r,  ds = tr(S^-1 dS) / (2 s).
   out.J.resize(4, A_u.cols());
   for (Eigen::Index c = 0; c < A_u.cols(); ++c) {
     Eigen::Vector3d by_error = Eigen::Vector3d::Zero();

@@ -12,24 +12,25 @@
 namespace thenar {
 namespace {
 
-// Correlation from which two estimates trade against each other [1]
+// Magnitude of a correlation above which two estimates trade against each other [1]
 constexpr double kTradeCorrelation = 0.8;
 
-/// Entries of a specimen, the population's and its own, that move parameters of one kind.
+/// Returns the entries of a specimen, the population's and its own, that move parameters of one
+/// kind.
 std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKind kind) {
   const FitParameters& parameters = coordinates.parameters();
   std::vector<int> found;
   for (int c = 0; c < parameters.coordinates(); ++c) {
     if (parameters.all[parameters.leader[c]].kind != kind) continue;
-    const CoordinateEntries& of = coordinates.entries(c);
-    if (of.population >= 0) found.push_back(of.population);
-    if (of.deviation >= 0) found.push_back(of.deviation);
+    const CoordinateEntries& coordinate = coordinates.entries(c);
+    if (coordinate.population >= 0) found.push_back(coordinate.population);
+    if (coordinate.deviation >= 0) found.push_back(coordinate.deviation);
   }
   return found;
 }
 
-/// Correlations of a specimen's entries in the posterior of its own forces, scales of the load
-/// cell's tilts being 1.
+/// Returns the correlations of a specimen's entries in the posterior of its own forces, with prior
+/// scales of 1 for the load cell's tilts.
 Eigen::MatrixXd correlations(const FitProblem& problem, const Eigen::VectorXd& z, int specimen,
                              const std::vector<int>& cell) {
   const std::vector<ScaledPriors>& scales = problem.parameters().scales;
@@ -56,7 +57,7 @@ AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
   for (int specimen = 0; specimen < static_cast<int>(problem.specimens().size()); ++specimen) {
     const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
     const auto entry = [&](int k) { return static_cast<std::size_t>(entries[k]); };
-    // Tilts that keep their priors; the population's are told once.
+    // List tilts that keep their priors; count those of the population only once.
     for (const int k : axes) {
       if (specimen > 0 && k < coordinates.population_entries()) continue;
       ++out.tilts;
@@ -64,7 +65,7 @@ AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
       if (learnt.sd > kUndecidedShare) out.undecided.push_back(learnt);
     }
     if (axes.empty() || cell.empty()) continue;
-    // Tilts of axes and of the load cell that make the same forces.
+    // Find tilts of axes and of the load cell that have the same effect on forces.
     const Eigen::MatrixXd correlation = correlations(problem, z, specimen, cell);
     for (const int a : axes)
       for (const int b : cell)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Doubts about joint axes that a fit leaves open.
+/// Joint-axis tilts that the data of a fit do not determine.
 
 #include <string>
 #include <vector>
@@ -9,30 +9,30 @@
 
 namespace thenar {
 
-/// A tilt of an axis that the forces take for a tilt of the load cell, or the other way round.
+/// Tilt of an axis that the forces cannot distinguish from a tilt of the load cell.
 struct TradedTilt {
-  std::string axis, cell;  // entries of z
-  double correlation;      // of both in the posterior, prior scales of both being 1 [1]
+  std::string axis, cell;  // names of the entries of z
+  double correlation;      // posterior correlation of the two entries [1]
 };
 
-/// A tilt, or another number, that keeps more than this of its prior sd was not told by the data
-/// [1].
+/// Posterior sd, over the prior sd, above which the data have not determined an entry of z [1].
 inline constexpr double kUndecidedShare = 0.9;
 
-/// Doubts about the tilts of axes that a fit reports.
+/// Tilts of axes that a fit leaves undetermined.
 struct AxisDoubts {
-  int tilts = 0;                              // entries of z that tilt an axis [1]
+  int tilts = 0;                              // number of entries of z that tilt an axis [1]
   std::vector<CoordinateEstimate> undecided;  // tilts that keep more than kUndecidedShare
-  std::vector<TradedTilt> traded;             // correlated by more than 0.8, the worst first
+  std::vector<TradedTilt> traded;             // pairs with a correlation above 0.8, largest first
 };
 
-/// Looks for tilts that forces do not decide, and for those that trade places with the load cell:
-/// there the prior alone says which of the two is tilted, be its scale inferred or not.
-/// @param covariance  of the fit at z
+/// Finds tilts that the forces do not determine, and tilts that are correlated with those of the
+/// load cell: there the prior decides which of the two is tilted, with or without
+/// inference of its scale.
+/// @param covariance  covariance of the fit at z
 [[nodiscard]] AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
                                           const Covariance& covariance);
 
-/// The doubts as warnings, a sentence each; none without doubts.
+/// Describes the undetermined tilts as warnings of one sentence each.
 [[nodiscard]] std::vector<std::string> describe(const AxisDoubts& doubts);
 
 }  // namespace thenar

@@ -9,7 +9,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kMinChoiceGain = 1e-3;  // Least gain that changes a choice [nat]
+constexpr double kMinChoiceGain =
+    1e-3;  // smallest decrease of the loss that changes a choice [nat]
 
 /// Score of the predictions of left-out forces.
 struct LeftOutScore {
@@ -17,7 +18,7 @@ struct LeftOutScore {
   double error = 0;  // relative [1]
 };
 
-/// Means over experiments.
+/// Returns the means over experiments.
 LeftOutScore mean_score(const CrossValidation& validation) {
   LeftOutScore sum;
   int count = 0;
@@ -30,7 +31,7 @@ LeftOutScore mean_score(const CrossValidation& validation) {
   return {sum.loss / count, sum.error / count};
 }
 
-/// Tries settings, each once.
+/// Searches the values of all choices, and scores each combination only once.
 class Chooser {
  public:
   Chooser(const FitProblem& problem, const FitSettings& start,
@@ -39,27 +40,27 @@ class Chooser {
     found_.settings = start;
     found_.by = {LeaveOut::kPosture};
     if (problem.specimens().size() > 1) found_.by.push_back(LeaveOut::kSpecimen);
-    options_.progress.report = {};  // each try would begin anew
+    options_.progress.report = {};  // progress of a single trial would restart from 0
   }
 
   ChosenSettings choose(const Progress& progress) {
-    // Where the search starts.
+    // Score the initial settings.
     const std::vector<SettingChoice>& choices = found_.settings.choices;
-    take(score_of(found_.settings));
-    // One choice after the other, until a whole round has changed nothing.
+    store_score(score_of(found_.settings));
+    // Improve one choice after the other, until a whole round changes nothing.
     std::size_t since_change = 0;
     for (std::size_t at = 0; since_change < choices.size() && found_.status != Status::kStopped;
          at = (at + 1) % choices.size()) {
       progress(static_cast<double>(since_change) / static_cast<double>(choices.size()),
                "choosing " + choices[at].name);
-      since_change = better(at) ? 1 : since_change + 1;
+      since_change = improve_choice(at) ? 1 : since_change + 1;
     }
     return std::move(found_);
   }
 
  private:
-  /// Puts the best value of one choice in force. Returns whether it is another one.
-  bool better(std::size_t at) {
+  /// Sets one choice to its best value. Returns whether the value changed.
+  bool improve_choice(std::size_t at) {
     FitSettings best = found_.settings;
     for (std::size_t value = 0; value < best.choices[at].values.size(); ++value) {
       FitSettings other = found_.settings;
@@ -67,7 +68,7 @@ class Chooser {
       const LeftOutScore score = score_of(other);
       if (found_.status == Status::kStopped) return false;
       if (score.loss > found_.loss - kMinChoiceGain) continue;
-      take(score);
+      store_score(score);
       best = std::move(other);
     }
     const bool changed = best.choices[at].chosen != found_.settings.choices[at].chosen;
@@ -75,17 +76,19 @@ class Chooser {
     return changed;
   }
 
-  void take(const LeftOutScore& score) {
+  void store_score(const LeftOutScore& score) {
     found_.loss = score.loss;
     found_.error = score.error;
   }
 
   LeftOutScore score_of(const FitSettings& settings) {
+    // Look up the score of settings that were tried before.
     std::vector<std::size_t> chosen;
     for (const SettingChoice& choice : settings.choices) chosen.push_back(choice.chosen);
     const auto known = std::find_if(found_.tried.begin(), found_.tried.end(),
                                     [&](const TriedSettings& one) { return one.chosen == chosen; });
     if (known != found_.tried.end()) return {known->loss, known->error};
+    // Cross-validate with these settings, and average over the kinds of folds.
     const FitProblem problem = with_settings(problem_, settings, also_free_);
     LeftOutScore sum;
     for (const LeaveOut what : found_.by) {

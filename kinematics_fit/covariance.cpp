@@ -11,12 +11,12 @@
 namespace thenar {
 namespace {
 
-// Curvature of data over that of the prior below which nothing is learnt [1]
+// Curvature of the data over that of the prior below which a direction is not identifiable [1]
 constexpr double kNullCurvature = 1e-9;
 
 using Direction = Eigen::SparseVector<double>;
 
-/// The unit vector along values that stand at coordinates from `first` on, among n.
+/// Returns the unit vector along `values`, which are its coordinates from `first` on, among n.
 Direction unit_along(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index n) {
   Direction out(n);
   const Eigen::VectorXd unit = values.normalized();
@@ -27,8 +27,8 @@ Direction unit_along(const Eigen::VectorXd& values, Eigen::Index first, Eigen::I
 
 /// Names a direction by its largest components, at most three.
 std::string describe(const Direction& direction, const std::vector<std::string>& names) {
-  constexpr std::ptrdiff_t kMaxNamedComponents = 3;  // Most components that are named
-  // Components by falling size.
+  constexpr std::ptrdiff_t kMaxNamedComponents = 3;  // largest number of components in a name
+  // Sort components by magnitude.
   std::vector<std::pair<double, Eigen::Index>> shares;
   for (Direction::InnerIterator at(direction); at; ++at)
     shares.emplace_back(at.value(), at.index());
@@ -37,7 +37,7 @@ std::string describe(const Direction& direction, const std::vector<std::string>&
   std::partial_sort(shares.begin(), end, shares.end(), [](const auto& a, const auto& b) {
     return std::abs(a.first) > std::abs(b.first);
   });
-  // The largest alone if it is nearly everything, otherwise those above a tenth.
+  // Name only the largest if it is nearly everything, otherwise all those above a tenth.
   std::string text;
   for (auto at = shares.begin(); at != end; ++at) {
     const auto& [share, index] = *at;
@@ -51,24 +51,24 @@ std::string describe(const Direction& direction, const std::vector<std::string>&
   return text + ": not identifiable";
 }
 
-/// Rows that span a space, each of which alone holds its pivot's coordinate, there 1.
+/// Rows that span a space; each has a 1 in its pivot column, where all other rows are zero.
 struct PivotedRows {
   Eigen::MatrixXd rows;
   std::vector<Eigen::Index> pivots;  // column of each row's pivot
 };
 
-/// Turns rows so that as many coordinates as possible stand alone in them: Gauss-Jordan with full
-/// pivoting among the first `columns`.
+/// Reduces rows by Gauss-Jordan elimination with full pivoting among the first `columns`, so that
+/// each pivot column is nonzero in one row only.
 PivotedRows sparse_basis(Eigen::MatrixXd rows, Eigen::Index columns) {
   PivotedRows out{std::move(rows), {}};
   Eigen::MatrixXd& all = out.rows;
-  // Pivot: the largest entry that is left, brought to row k and scaled to 1.
+  // Bring the largest remaining entry, the pivot, to row k and scale it to 1.
   for (Eigen::Index k = 0; k < all.rows(); ++k) {
     Eigen::Index row = 0, column = 0;
     all.bottomRows(all.rows() - k).leftCols(columns).cwiseAbs().maxCoeff(&row, &column);
     all.row(k).swap(all.row(k + row));
     all.row(k) /= all(k, column);
-    // Eliminate the pivot's column from all other rows.
+    // Eliminate the pivot column from all other rows.
     Eigen::VectorXd others = all.col(column);
     others[k] = 0;
     all -= others * all.row(k).eval();
@@ -77,7 +77,7 @@ PivotedRows sparse_basis(Eigen::MatrixXd rows, Eigen::Index columns) {
   return out;
 }
 
-/// Layout of z, and the rows of data alone at z.
+/// Layout of z, and the rows of the data, without priors, at z.
 struct DataRows {
   ArrowLayout layout;
   std::vector<ArrowRows> rows;
@@ -87,7 +87,7 @@ DataRows rows_of_data(const FitProblem& problem, const Eigen::VectorXd& z) {
   const int specimens = static_cast<int>(problem.specimens().size());
   const int shared = problem.coordinates().population_entries(),
             own = problem.coordinates().deviations();
-  // Slopes of each experiment, by the population's entries and its specimen's own.
+  // Collect the slopes of each experiment by the population's entries and by those of its specimen.
   DataRows out{{shared, own, own > 0 ? specimens : 0}, {}};
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Eigen::MatrixXd J = data_residuals(problem, z, e, WithJacobian::kYes).J;
@@ -97,7 +97,7 @@ DataRows rows_of_data(const FitProblem& problem, const Eigen::VectorXd& z) {
   return out;
 }
 
-/// Priors: every coordinate is standard normal.
+/// Returns the rows of the priors: every coordinate is standard normal.
 std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
   using Eigen::MatrixXd;
   std::vector<ArrowRows> rows{{-1, MatrixXd::Identity(layout.shared, layout.shared), {}}};
@@ -107,42 +107,44 @@ std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
   return rows;
 }
 
-/// Length of coordinate i within the null space, squared.
+/// Returns the squared length of the projection of coordinate i onto the null space.
 double null_share(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
                   Eigen::Index i) {
-  const double together = null_directions.together.row(i).squaredNorm();
+  const double together = null_directions.coupled.row(i).squaredNorm();
   if (i < layout.shared) return together;
   const Eigen::Index block = (i - layout.shared) / layout.own;
-  return together +
-         null_directions.alone[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
+  return together + null_directions.own[block]
+                        .row(i - layout.first_index(static_cast<int>(block)))
+                        .squaredNorm();
 }
 
-/// Every null direction by name: those of shared coordinates, then those of each block.
+/// Names every null direction: those that involve shared coordinates, then those of each block.
 void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
                 const std::vector<std::string>& names, std::vector<NullDirection>& out) {
   const auto add = [&](const Eigen::VectorXd& values, Eigen::Index first) {
     const Direction unit = unit_along(values, first, layout.size());
     out.push_back({describe(unit, names), unit});
   };
-  // What a block leaves open can be added to a direction of all, until its pivots drop out.
-  Eigen::MatrixXd together = null_directions.together.transpose();
+  // Subtract null directions of single blocks from the coupled ones, so that their pivots vanish
+  // there.
+  Eigen::MatrixXd together = null_directions.coupled.transpose();
   std::vector<PivotedRows> alone;
   for (int b = 0; b < layout.blocks; ++b) {
-    alone.push_back(sparse_basis(null_directions.alone[b].transpose(), layout.own));
-    auto own = together.middleCols(layout.first(b), layout.own);
+    alone.push_back(sparse_basis(null_directions.own[b].transpose(), layout.own));
+    auto own = together.middleCols(layout.first_index(b), layout.own);
     own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
   }
 
-  // Directions that involve shared coordinates come first.
+  // Add the directions that involve shared coordinates.
   const PivotedRows shared = sparse_basis(std::move(together), layout.shared);
   for (Eigen::Index k = 0; k < shared.rows.rows(); ++k) add(shared.rows.row(k).transpose(), 0);
-  // Then the directions within each block.
+  // Add the directions within each block.
   for (int b = 0; b < layout.blocks; ++b)
     for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k)
-      add(alone[b].rows.row(k).transpose(), layout.first(b));
+      add(alone[b].rows.row(k).transpose(), layout.first_index(b));
 }
 
-/// The factor of data and priors together; that of J keeps digits that J'J would lose.
+/// Returns the factor of data and priors together; a factor of J keeps digits that J'J would lose.
 ArrowFactor factor_of(const DataRows& data) {
   std::vector<ArrowRows> all = prior_rows(data.layout);
   all.insert(all.end(), data.rows.begin(), data.rows.end());
@@ -157,6 +159,7 @@ ArrowMatrix laplace_blocks(const FitProblem& problem, const Eigen::VectorXd& z) 
 
 Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
   const DataRows data = rows_of_data(problem, z);
+  // Factor the posterior, and compute leverages and the effective number of parameters.
   Covariance out;
   const ArrowFactor factor = factor_of(data);
   out.C = factor.inverse_blocks();
@@ -164,14 +167,15 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   const Eigen::VectorXd variance = out.C.diagonal();
   out.effective_parameters = static_cast<double>(z.size()) - variance.sum();
 
-  // What the data leave open, by singular values of their own rows.
+  // Find what the data leave undetermined, by the singular values of their rows.
   const ArrowNullSpace null_directions =
       arrow_null_space(data.layout, data.rows, std::sqrt(kNullCurvature));
   const std::vector<std::string> names = problem.coordinates().names();
   name_nulls(data.layout, null_directions, names, out.null_directions);
 
-  // Estimates, entry by entry.
-  // Distance at which z is at a bound: interior-point solvers stop a little short [1]
+  // List the estimates.
+  // Distance from a bound that still counts as on it: interior-point solvers stop a little short
+  // [1]
   constexpr double kOnBound = 1e-6;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound = z[i] < problem.coordinates().lower()[i] + kOnBound ||

@@ -15,7 +15,7 @@ bool loads(const Trial& trial, const std::string& muscle) {
   return found != trial.tension.end() && found->second > 0;
 }
 
-/// Returns whether the trial is in the fold.
+/// Returns whether the trial belongs to the fold.
 bool in_fold(LeaveOut what, const std::string& fold, const Experiment& experiment,
              const Trial& trial) {
   if (what == LeaveOut::kPosture) return trial.posture == fold;
@@ -23,14 +23,14 @@ bool in_fold(LeaveOut what, const std::string& fold, const Experiment& experimen
   return experiment.specimen == fold;
 }
 
-/// Postures, tendons or specimens, in the order in which they first appear.
+/// Returns the postures, tendons or specimens, in the order in which they first appear.
 std::vector<std::string> list_folds(const FitProblem& problem, LeaveOut what) {
   std::vector<std::string> folds;
   const auto add = [&](const std::string& name) {
     if (std::find(folds.begin(), folds.end(), name) == folds.end()) folds.push_back(name);
   };
   for (const Experiment& experiment : problem.experiments()) {
-    // Folds are named by what they leave out.
+    // Name folds by what they leave out.
     if (what == LeaveOut::kSpecimen) add(experiment.specimen);
     for (const Trial& trial : experiment.trials) {
       if (what == LeaveOut::kPosture) add(trial.posture);
@@ -42,16 +42,18 @@ std::vector<std::string> list_folds(const FitProblem& problem, LeaveOut what) {
   return folds;
 }
 
-/// Predicts the trials of one fold by a fit that never saw them.
+/// Predicts the trials of one fold by a fit to all others.
 void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut what,
                   const std::string& fold, const std::vector<Experiment>& experiments,
                   std::vector<Prediction>& out) {
-  // A left-out specimen is not among those of the fit: the population predicts it.
+  // Predict every experiment; a left-out specimen is unknown to the fit, and predicted from the
+  // population.
   const ArrowMatrix C = laplace_blocks(rest, z);
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const Experiment& experiment = experiments[e];
     const int specimen = find_specimen(rest, experiment.specimen);
     const Prediction all = predict_experiment(rest, z, C, experiment, specimen);
+    // Keep the predictions of the fold's trials.
     for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
       if (!in_fold(what, fold, experiment, experiment.trials[i])) continue;
       out[e].trials.push_back(all.trials[i]);
@@ -67,7 +69,7 @@ std::string name_of(LeaveOut what) { return "leave one " + name_in(kLeaveOutName
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
                                const SolveOptions& options, const PrepareFold& prepare) {
-  // Folds, and room for the predictions of every experiment.
+  // List the folds, and create a prediction for every experiment.
   CrossValidation out;
   out.what = what;
   out.folds = list_folds(problem, what);
@@ -78,7 +80,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     out.experiments.push_back(
         {experiment.name, {}, {}, calibrated_on_specimen(problem.digit(), experiment)});
 
-  // Fold by fold: refit without it, then predict it.
+  // Refit without each fold, then predict it.
   for (const std::string& fold : out.folds) {
     options.progress(static_cast<double>(out.folds_done) / static_cast<double>(out.folds.size()),
                      name_of(what));
@@ -90,7 +92,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     if (prepare) rest = prepare(rest, fold);
     const ScaledFit scaled = fit_with_scales(rest, options);
     const Solution& fit = scaled.solution;
-    // A half-way fit has learnt less than its fold would say.
+    // Discard a fit that was stopped: it has learnt less than its fold would suggest.
     if (fit.status == Status::kStopped) out.status = Status::kStopped;
     if (out.status == Status::kStopped) break;
     out.not_converged += fit.status == Status::kSolved ? 0 : 1;
@@ -98,7 +100,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     ++out.folds_done;
   }
 
-  // Errors over all trials that were left out once.
+  // Compute errors over all trials, each of which was left out once.
   for (Prediction& prediction : out.experiments)
     if (!prediction.trials.empty()) prediction.error = force_error(prediction.trials);
   return out;

@@ -25,7 +25,7 @@ const std::map<std::string, std::string_view>& fit_settings();  // data/fits, by
 
 namespace {
 
-/// Names of the postures of all experiments, each once.
+/// Returns the names of the postures of all experiments, each once.
 std::vector<std::string> posture_names(const std::vector<Experiment>& experiments) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments)
@@ -34,8 +34,8 @@ std::vector<std::string> posture_names(const std::vector<Experiment>& experiment
   return names;
 }
 
-/// The digit with its tendons; a net takes the place of the hood. Load cells are zeroed under the
-/// digit at rest, so that measured forces are those of tendons, without passive moments.
+/// Builds the digit with its tendons; a net replaces the hood. Passive moments are off: load cells
+/// are zeroed with the digit at rest, so that measured forces are those of tendons.
 TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
   const Subject subject = with_points_at_tendons(
       with_passive(parse_subject(inputs.subject.text, inputs.subject.path), PassiveMoments::kOff),
@@ -47,12 +47,12 @@ TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
   digit.net = std::make_shared<const BuiltNet>(
       build_net(subject, digit, parse_net(inputs.net->text, inputs.net->path)));
   digit.fidelity.hood = Hood::kFloatingNet;
-  // Shares of a muscle among its pulls may depend on the knuckle, as those of a hood do.
+  // Keep the knuckle: a muscle's split among its pulls may depend on its angle, as in a hood.
   digit.model.knuckle = build_tendon_digit(subject, name).model.knuckle;
   return digit;
 }
 
-/// Inputs whose settings have the factors of the problem's prior scales in force.
+/// Returns the inputs with the problem's prior scale factors written into their settings.
 FitInputs with_factors_of(FitInputs inputs, const FitProblem& problem) {
   std::vector<double> factors;
   for (const ScaledPriors& scale : problem.parameters().scales) factors.push_back(scale.factor);
@@ -77,7 +77,7 @@ std::vector<SourceText> sources_of(const FitInputs& inputs) {
 }
 
 FitProblem build_problem(const FitInputs& inputs) {
-  // Experiments: of one digit, each once.
+  // Parse the experiments, and check that they are of one digit and given only once.
   require(!inputs.experiments.empty(), "a fit needs at least one experiment");
   std::vector<Experiment> experiments;
   for (const SourceText& source : inputs.experiments)
@@ -92,8 +92,7 @@ FitProblem build_problem(const FitInputs& inputs) {
       require(experiments[e].name != experiments[other].name,
               "experiment '{}' is given twice: it would count twice", experiments[e].name);
 
-  // Another posture of the same name, in another experiment on the same specimen, gets a name of
-  // its own.
+  // Rename a posture that differs from one of the same name in another experiment on the specimen.
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     std::vector<Experiment> before;
     for (std::size_t other = 0; other < e; ++other)
@@ -102,7 +101,7 @@ FitProblem build_problem(const FitInputs& inputs) {
     experiments[e] = with_own_postures(std::move(experiments[e]), before);
   }
 
-  // The digit, and which of its parameters are free.
+  // Build the digit, and choose which of its parameters are free.
   TendonDigit digit = build_digit(inputs, experiments.front().digit);
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
   FitParameters parameters =
@@ -129,14 +128,15 @@ FitInputs with_inferred_scales(const FitInputs& inputs, const SolveOptions& opti
 }
 
 FittedValues fitted_values(const Fit& fit, int specimen) {
-  // Values, and the variance that the covariance of z gives to every coordinate.
+  // Compute the values, and the variance of every coordinate from the covariance of z.
   const FitParameters& parameters = fit.problem.parameters();
   const std::vector<double> values = parameter_values<double>(
       parameters, displacements(fit.problem.coordinates(), fit.solution.z, specimen));
   const Eigen::MatrixXd J =
       displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen);
-  Eigen::VectorXd variance = (J * fit.covariance.C.of(specimen)).cwiseProduct(J).rowwise().sum();
-  // What one specimen alone cannot say of the population stays as wide as the prior has it.
+  Eigen::VectorXd variance =
+      (J * fit.covariance.C.block_entries(specimen)).cwiseProduct(J).rowwise().sum();
+  // Widen the population's variance by the share that a single specimen leaves unknown.
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {
@@ -144,7 +144,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
       variance[c] += unseen[c] - p.between_sd * p.between_sd;
     }
 
-  // Parameters tied to a coordinate share its sd, by their ratio.
+  // Scale to display units; parameters tied to a coordinate share its sd, by their ratio.
   FittedValues out{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size())),
                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size()))};
   for (Eigen::Index p = 0; p < out.value.size(); ++p) {
@@ -158,7 +158,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   return out;
 }
 
-// The result file of a fit: everything needed to run it again, and everything it found.
+// Reading and writing of result files: everything needed to rerun a fit, and everything it found.
 namespace {
 
 constexpr const char* kFormat = "thenar fit 1";
@@ -178,16 +178,16 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
   if (inputs.scaling == Scaling::kOutside) file.add("inputs/scale", "outside");
 }
 
-/// Writes the data that the fit has seen: its own experiments, and the experiments to which its
-/// start was fitted.
+/// Writes the data to which the model was fitted: the experiments of this fit, and those to which
+/// its initial subject was fitted.
 void add_seen(const FitProblem& problem, ResultFile& file) {
-  // The experiments of this fit.
+  // List the experiments of this fit.
   std::vector<std::string> experiments, specimens, sources;
   for (const Experiment& experiment : problem.experiments()) {
     experiments.push_back(experiment.name);
     specimens.push_back(experiment.specimen);
   }
-  // Those of earlier fits that the subject comes from.
+  // Add those of earlier fits that the subject comes from.
   for (const CalibratedOn& on : problem.digit().calibrated_on) {
     if (!on.source.empty()) {
       sources.push_back(on.source);
@@ -216,9 +216,9 @@ FitInputs inputs_of(const ResultFile& file) {
   return inputs;
 }
 
-/// Values and sds of every parameter, of the population and of each specimen.
+/// Writes values and sds of every parameter, of the population and of each specimen.
 void add_parameters(const Fit& fit, ResultFile& file) {
-  // Names and units, once for all groups.
+  // Write names and units, once for all groups.
   std::vector<std::string> names, units;
   for (const Parameter& parameter : fit.problem.parameters().all) {
     names.push_back(parameter.name);
@@ -227,7 +227,7 @@ void add_parameters(const Fit& fit, ResultFile& file) {
   file.add("parameters/name", names);
   file.add("parameters/unit", units);
 
-  // Values and sds: the population, then each specimen.
+  // Write values and sds of the population, then of each specimen.
   const auto add = [&](const std::string& group, int specimen) {
     const FittedValues fitted = fitted_values(fit, specimen);
     file.add(group + "/value", fitted.value, "see parameters/unit", {"parameter"});
@@ -240,7 +240,7 @@ void add_parameters(const Fit& fit, ResultFile& file) {
 
 void add_predictions(const Fit& fit, ResultFile& file) {
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
-    // Forces as matrices, trials as rows.
+    // Arrange forces as matrices, with a row for each trial.
     const Prediction prediction = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
     if (prediction.trials.empty()) continue;  // rows of activations alone
     const std::string group = "predictions/" + prediction.experiment;
@@ -254,7 +254,7 @@ void add_predictions(const Fit& fit, ResultFile& file) {
       predicted.row(i) = prediction.trials[i].predicted;
     }
 
-    // One group for each experiment.
+    // Write one group for each experiment.
     file.add(group + "/posture", postures);
     file.add(group + "/loads", loads);
     file.add(group + "/measured", measured, "N", {"trial", "component"});
@@ -272,7 +272,7 @@ void add_provenance(const Fit& fit, ResultFile& file) {
   for (const auto& [name, text] : texts_of(fit.run)) file.add("provenance/" + name, text);
 }
 
-/// The record of the run; empty where the file has none.
+/// Returns the record of the run; its texts are empty where the file has none.
 RunRecord run_of(const ResultFile& file) {
   std::map<std::string, std::string> texts;
   for (const char* const name : {"command", "folder", "date", "commit", "request"})
@@ -280,8 +280,8 @@ RunRecord run_of(const ResultFile& file) {
   return record_of_texts(texts);
 }
 
-/// A solution that ended as the word of convergence_word() says; all else is empty.
-Solution ended_as(const std::string& word) {
+/// Returns a solution whose status convergence_word() describes as `word`; all else is empty.
+Solution solution_with_status(const std::string& word) {
   Solution solution;
   solution.failed = word == "failed";
   for (const Status status :
@@ -292,9 +292,9 @@ Solution ended_as(const std::string& word) {
   throw InputError(fmt::format("no solver status '{}'", word));
 }
 
-/// @throws InputError for what is missing or does not fit together.
+/// Reads a fit. @throws InputError for what is missing or inconsistent.
 Fit fit_of(const ResultFile& file) {
-  // The problem is built anew from the inputs; the estimate must belong to it.
+  // Rebuild the problem from the inputs, and check that the estimate belongs to it.
   const FitInputs inputs = inputs_of(file);
   FitProblem problem = build_problem(inputs);
   const Eigen::VectorXd z = vector_in(file, "fit/z");
@@ -306,7 +306,8 @@ Fit fit_of(const ResultFile& file) {
     require(i < names.size() && names[i] == wanted[i],
             "coordinate {} of the fit is '{}', its inputs give '{}'", i,
             i < names.size() ? names[i] : "", wanted[i]);
-  Solution solution = ended_as(file.text("fit/status"));
+  // Restore the solution, and recompute its covariance.
+  Solution solution = solution_with_status(file.text("fit/status"));
   solution.z = z;
   solution.cost = file.number("fit/cost");
   solution.message = file.text("fit/message");
@@ -322,13 +323,14 @@ Fit fit_of(const ResultFile& file) {
           run_of(file)};
 }
 
-/// Covariance of the entries of z that move a specimen, and which these are: the population's, then
-/// its own. What two specimens have in common is in the population's.
+/// Writes the covariance of the entries of z that move each specimen, and their indices: those of
+/// the population, then its own. Covariances between two specimens follow from the population's
+/// entries.
 void add_covariance(const Fit& fit, ResultFile& file) {
   const auto specimens = fit.problem.specimens().size();
   std::vector<double> values, entries;
   for (int specimen = 0; specimen < static_cast<int>(specimens); ++specimen) {
-    const Eigen::MatrixXd C = fit.covariance.C.of(specimen);
+    const Eigen::MatrixXd C = fit.covariance.C.block_entries(specimen);
     values.insert(values.end(), C.data(), C.data() + C.size());  // symmetric
     const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
     append_all(entries, on);
@@ -343,12 +345,12 @@ void add_covariance(const Fit& fit, ResultFile& file) {
 }  // namespace
 
 void write_fit(const Fit& fit, const std::string& path) {
-  // Inputs first: the file can be run again.
+  // Write the inputs first: the file can be run again.
   ResultFile file;
   file.add("format", kFormat);
   add_inputs(fit.inputs, file);
 
-  // Estimate, and how the solver ended.
+  // Write the estimate and the solver's status.
   file.add("fit/z", fit.solution.z, "1", {"coordinate"});
   file.add("fit/name", fit.problem.coordinates().names());
   add_covariance(fit, file);
@@ -358,13 +360,13 @@ void write_fit(const Fit& fit, const std::string& path) {
   file.add("fit/evaluations", fit.solution.evaluations, "1");
   file.add("fit/seconds", fit.solution.seconds, "s");
 
-  // Directions that the data leave open.
+  // Write the directions that the data leave undetermined.
   std::vector<std::string> null_directions;
   for (const NullDirection& null : fit.covariance.null_directions)
     null_directions.push_back(null.text);
   file.add("fit/not_identifiable", null_directions);
 
-  // Parameters, predictions and provenance in words and units that people read.
+  // Write parameters, predictions and provenance in names and units for readers.
   add_seen(fit.problem, file);
   add_parameters(fit, file);
   add_predictions(fit, file);

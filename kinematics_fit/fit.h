@@ -1,6 +1,6 @@
 #pragma once
 
-/// A fit from input files to its result, and its result file.
+/// Fit from input files to its result, and its result file.
 
 #include <optional>
 #include <string>
@@ -15,20 +15,20 @@
 
 namespace thenar {
 
-/// All inputs of a fit; the result file keeps their texts, so that the fit can be repeated.
+/// Inputs of a fit; the result file keeps their texts, so that the fit can be repeated.
 struct FitInputs {
   SourceText subject;
   SourceText settings;
   std::vector<SourceText> experiments;
-  std::vector<std::string> also_free;   // globs that free further parameters
-  std::optional<SourceText> net = {};   // of the extensor mechanism, in place of the subject's hood
+  std::vector<std::string> also_free;  // glob patterns of further parameters to free
+  std::optional<SourceText> net = {};  // net of the extensor mechanism, replaces the subject's hood
   Scaling scaling = Scaling::kSubject;  // size of the digit of each specimen
 };
 
-/// All texts that a fit reads: subject, settings, net, experiments.
+/// Returns all texts that a fit reads: subject, settings, net, experiments.
 [[nodiscard]] std::vector<SourceText> sources_of(const FitInputs& inputs);
 
-/// A finished fit.
+/// Completed fit.
 struct Fit {
   FitInputs inputs;
   FitProblem problem;
@@ -36,22 +36,23 @@ struct Fit {
   unsigned seed;
   Solution solution;
   Covariance covariance;
-  RunRecord run = {};  // of the command that fitted it; empty in a program, and in older files
+  RunRecord run =
+      {};  // record of the command that fitted it; empty for library calls and in older files
 };
 
-/// The built-in settings for a digit: data/fits/thumb.toml or data/fits/finger.toml.
+/// Returns the built-in settings for a digit: data/fits/thumb.toml or data/fits/finger.toml.
 [[nodiscard]] SourceText built_in_settings(const std::string& digit);
 
-/// The problem that the inputs describe.
+/// Builds the problem that the inputs describe.
 /// @throws DataError or InputError as the readers and builders do.
 [[nodiscard]] FitProblem build_problem(const FitInputs& inputs);
 
-/// Builds the problem, solves it, its prior scales being inferred, and computes the covariance. The
-/// settings of the fit have the scales' factors. A stop request still gives a valid (unconverged)
-/// fit.
+/// Builds the problem, solves it with inferred prior scales, and computes the covariance. The
+/// settings of the fit include the factors of the scales. A stop request still gives a valid
+/// (unconverged) fit.
 [[nodiscard]] Fit run_fit(const FitInputs& inputs, const SolveOptions& options = {});
 
-/// Inputs whose settings have the factors of prior scales that their forces make likeliest.
+/// Returns inputs whose settings have the most likely factors of the prior scales.
 [[nodiscard]] FitInputs with_inferred_scales(const FitInputs& inputs,
                                              const SolveOptions& options = {});
 
@@ -61,6 +62,7 @@ struct FittedValues {
   Eigen::VectorXd sd;     // posterior sd, 0 where fixed; units as above (all parameters)
 };
 
+/// Computes the fitted parameters.
 /// @param specimen  index in fit.problem.specimens(), or kPopulation
 [[nodiscard]] FittedValues fitted_values(const Fit& fit, int specimen);
 
@@ -68,7 +70,7 @@ struct FittedValues {
 /// docs/data_format.md.
 void write_fit(const Fit& fit, const std::string& path);
 
-/// @throws DataError if the file is not a fit.
+/// Reads a fit. @throws DataError if the file is not a fit.
 [[nodiscard]] Fit read_fit(const std::string& path);
 
 }  // namespace thenar

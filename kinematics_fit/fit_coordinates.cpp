@@ -17,26 +17,27 @@ void FitCoordinates::list_entries() {
   entries_.resize(n);
   population_share_ = Eigen::VectorXd::Ones(n);
 
-  // The population's entries come first; a single specimen adds its own variance to them.
+  // Number the population's entries first; a single specimen adds its own variance to them.
   for (int c = 0; c < n; ++c) {
     const Parameter& p = leader(c);
-    CoordinateEntries& of = entries_[c];
-    of.population_sd = alone ? std::hypot(p.sd, p.between_sd) : p.sd;
-    if (alone) population_share_[c] = std::pow(p.sd / of.population_sd, 2);
-    if (of.population_sd > 0) of.population = population_size_++;
+    CoordinateEntries& coordinate = entries_[c];
+    coordinate.population_sd = alone ? std::hypot(p.sd, p.between_sd) : p.sd;
+    if (alone) population_share_[c] = std::pow(p.sd / coordinate.population_sd, 2);
+    if (coordinate.population_sd > 0) coordinate.population = population_size_++;
   }
 
-  // Then the deviations of each specimen, bounded so that the sum keeps the parameter's bounds.
+  // Number the deviations of each specimen, bounded so that the sum keeps the parameter's bounds.
   for (int c = 0; c < n && !alone; ++c) {
     const Parameter& p = leader(c);
-    CoordinateEntries& of = entries_[c];
-    of.deviation_sd = p.between_sd;
-    if (of.deviation_sd > 0) of.deviation = population_size_ + deviation_size_++;
-    // The prior of a tilt is on the sphere: the limits of its chart are no bounds of anatomy.
+    CoordinateEntries& coordinate = entries_[c];
+    coordinate.deviation_sd = p.between_sd;
+    if (coordinate.deviation_sd > 0) coordinate.deviation = population_size_ + deviation_size_++;
+    // Leave tilts unbounded: their prior is on the sphere, and limits of its chart are not
+    // anatomical.
     const bool tilt = p.kind == ParameterKind::kAxisDirection;
-    if (of.deviation_sd <= 0 || of.population < 0 || tilt) continue;
-    of.lower = p.lower - p.mean;
-    of.upper = p.upper - p.mean;
+    if (coordinate.deviation_sd <= 0 || coordinate.population < 0 || tilt) continue;
+    coordinate.lower = p.lower - p.mean;
+    coordinate.upper = p.upper - p.mean;
   }
 }
 
@@ -46,18 +47,18 @@ void FitCoordinates::bound_coordinates() {
   upper_ = -lower_;
   for (int c = 0; c < parameters_.coordinates(); ++c) {
     const Parameter& p = leader(c);
-    const CoordinateEntries& of = entries_[c];
-    // The population keeps the bounds of the parameter.
-    if (of.population >= 0) {
-      lower_[of.population] = (p.lower - p.mean) / of.population_sd;
-      upper_[of.population] = (p.upper - p.mean) / of.population_sd;
+    const CoordinateEntries& coordinate = entries_[c];
+    // Apply the parameter's bounds to the population.
+    if (coordinate.population >= 0) {
+      lower_[coordinate.population] = (p.lower - p.mean) / coordinate.population_sd;
+      upper_[coordinate.population] = (p.upper - p.mean) / coordinate.population_sd;
       continue;
     }
-    // Where the population does not move, the bounds hold for each specimen's deviation.
+    // Apply the bounds to each specimen's deviation where the population does not move.
     for (std::size_t s = 0; s < specimens_.size(); ++s) {
-      const auto at = static_cast<int>(of.deviation + s * deviation_size_);
-      lower_[at] = (p.lower - p.mean) / of.deviation_sd;
-      upper_[at] = (p.upper - p.mean) / of.deviation_sd;
+      const auto at = static_cast<int>(coordinate.deviation + s * deviation_size_);
+      lower_[at] = (p.lower - p.mean) / coordinate.deviation_sd;
+      upper_[at] = (p.upper - p.mean) / coordinate.deviation_sd;
     }
   }
 }
@@ -71,14 +72,14 @@ std::vector<int> FitCoordinates::entries_of_specimen(int specimen) const {
 }
 
 std::vector<std::string> FitCoordinates::names() const {
-  // The leader's name stands for all parameters tied to it.
+  // Name entries by their leaders, for all parameters tied to them.
   std::vector<std::string> names(size());
   for (int c = 0; c < parameters_.coordinates(); ++c) {
     const std::string& name = leader(c).name;
-    const CoordinateEntries& of = entries_[c];
-    if (of.population >= 0) names[of.population] = name;
-    for (std::size_t s = 0; s < specimens_.size() && of.deviation >= 0; ++s)
-      names[of.deviation + s * deviation_size_] = specimens_[s] + ": " + name;
+    const CoordinateEntries& coordinate = entries_[c];
+    if (coordinate.population >= 0) names[coordinate.population] = name;
+    for (std::size_t s = 0; s < specimens_.size() && coordinate.deviation >= 0; ++s)
+      names[coordinate.deviation + s * deviation_size_] = specimens_[s] + ": " + name;
   }
   return names;
 }

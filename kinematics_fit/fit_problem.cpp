@@ -15,7 +15,7 @@
 namespace thenar {
 namespace {
 
-/// Names of the specimens of all experiments, each once, in the order of the experiments.
+/// Returns the names of the specimens of all experiments, each once, in order of appearance.
 std::vector<std::string> specimen_names(const std::vector<Experiment>& experiments) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments)
@@ -38,11 +38,12 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
       axis_distances_(std::move(axis_distances)) {
   require(this->parameters().coordinates() > 0, "nothing to fit: every parameter is fixed");
   require(!experiments_.empty(), "nothing to fit to: no experiment");
-  // Names of each experiment become indices of the digit and its specimens.
+  // Find the index of each experiment's specimen.
   for (const Experiment& experiment : experiments_) {
     const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
     specimen_of_.push_back(static_cast<int>(known - specimens().begin()));
   }
+  // Scale the digits, and compile the forces of each experiment.
   if (scaling_ == Scaling::kOutside) size_specimens();
   for (std::size_t e = 0; e < experiments_.size(); ++e) {
     const TendonDigit& sized = digit_of(specimen_of_[e]);
@@ -54,7 +55,7 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
 }
 
 void FitProblem::add_activations(const TendonDigit& sized, std::size_t e) {
-  // A net's forces are not linear in tensions: its rows are left aside, as warnings() says.
+  // Skip the rows of a net, whose forces are not linear in tensions; warnings() reports it.
   const ExperimentPlan bare = without_trials(plans_[e]);
   activations_.push_back(sized.net ? ActivationPlan{bare, 0, {}}
                                    : plan_activations(sized, bare, experiments_[e]));
@@ -65,7 +66,7 @@ void FitProblem::add_activations(const TendonDigit& sized, std::size_t e) {
 
 void FitProblem::size_specimens() {
   for (const std::string& specimen : specimens()) {
-    // What any experiment states of a specimen holds in all of them.
+    // Share the lengths that any experiment states among all experiments on its specimen.
     const Experiment* stated = nullptr;
     for (const Experiment& experiment : experiments_)
       if (experiment.specimen == specimen && !experiment.outside_length.empty() && !stated)
@@ -78,6 +79,7 @@ void FitProblem::size_specimens() {
           stated->name, experiment.name, specimen);
       experiment.outside_length = stated->outside_length;
     }
+    // Scale the digit by the first experiment, which now has the lengths.
     const auto first = std::find_if(experiments_.begin(), experiments_.end(),
                                     [&](const Experiment& e) { return e.specimen == specimen; });
     digits_.push_back(scale_to_outside(digit_, *first));
@@ -98,7 +100,7 @@ TendonDigit FitProblem::sized_digit(const Experiment& experiment) const {
 }
 
 void FitProblem::find_axes() {
-  // Joint names become hinges.
+  // Find the hinges of the joints by name.
   const std::vector<std::string>& names = digit_.names.hinges;
   const auto hinge = [&](const std::string& joint) {
     const auto found = std::find(names.begin(), names.end(), joint);
@@ -116,18 +118,18 @@ void FitProblem::find_axes() {
 }
 
 std::vector<std::string> FitProblem::warnings() const {
-  // Postures, tensions and calibration of every experiment.
+  // Warn of postures, tensions and calibration of every experiment.
   std::vector<std::string> all;
   for (std::size_t e = 0; e < plans_.size(); ++e)
     append_all(all, experiment_warnings(digit_, plans_[e], experiments_[e]));
 
-  // One name for two postures.
+  // Warn of one name for two postures.
   append_all(all, posture_name_warnings(experiments_));
 
-  // Rows that count twice.
+  // Warn of duplicate rows, which count twice.
   append_all(all, doubled_trial_warnings(experiments_));
 
-  // Data that least squares leaves aside.
+  // Warn of data that the fit does not use.
   for (const Experiment& experiment : experiments_)
     if (!experiment.outside_length.empty() && scaling_ == Scaling::kSubject)
       all.push_back(fmt::format(
@@ -142,7 +144,7 @@ std::vector<std::string> FitProblem::warnings() const {
                       "tensions",
                       experiment.name, experiment.activations.size()));
 
-  // Tendons that cannot move.
+  // Warn of tendons whose geometry is fixed.
   append_all(all, fixed_geometry_warnings(parameters()));
   return all;
 }
@@ -161,8 +163,8 @@ FitProblem subset(const FitProblem& problem,
                   const std::function<bool(const Experiment&, const Trial&)>& keep) {
   std::vector<Experiment> kept;
   for (Experiment experiment : problem.experiments()) {
-    // Trials that the caller does not keep are removed, and rows of activations in postures of
-    // which no trial is left: they were measured there, too.
+    // Remove the trials that the caller does not keep, and the activation rows of postures without
+    // remaining trials, as they were measured in the same posture.
     std::vector<Trial>& trials = experiment.trials;
     const std::set<std::string> before = postures_of(trials);
     erase_where(trials, [&](const Trial& trial) { return !keep(experiment, trial); });

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Problem that a fit solves and a posterior samples: measured forces, a digit and its free
-/// parameters.
+/// Problem that is solved by a fit and sampled by a posterior: measured forces, a digit and its
+/// free parameters.
 
 #include <functional>
 #include <memory>
@@ -17,32 +17,32 @@ namespace thenar {
 
 class ForceKernel;
 
-/// The data and the unknowns of a fit; it only holds them. The unknowns are z: parameters as
-/// displacements from their prior means, in prior sds. fit_residuals.h has the residuals,
-/// specimen_prior.h the displacements that z stands for.
+/// Data and unknowns of a fit. The unknowns z are displacements of the parameters from their prior
+/// means, in prior sds. Residuals are in fit_residuals.h, and the map from z to displacements in
+/// specimen_prior.h.
 class FitProblem {
  public:
   /// @param robust_scale    c of fit_residuals(), in noise sds; 0: plain squares [1]
   /// @param axis_distances  bounds on distances between joint axes, for every specimen: see
-  ///                        axis_constraints(); kept by constrained solvers only
+  ///                        axis_constraints(); enforced by constrained solvers only
   /// @param scaling         size of the digit of each specimen, see scale_to_outside()
   /// @throws InputError if an experiment does not fit the digit, a posture is singular, nothing is
-  /// free, or an axis distance names a joint the digit has not; if a size is asked for that cannot
-  /// be, or two experiments state different sizes of one specimen.
+  /// free, an axis distance names an unknown joint, a size cannot be computed, or two experiments
+  /// state different sizes of one specimen.
   FitProblem(TendonDigit digit, FitParameters parameters, std::vector<Experiment> experiments,
              double robust_scale = 0, std::vector<AxisDistance> axis_distances = {},
              Scaling scaling = Scaling::kSubject);
 
-  /// Layout, bounds and names of z, and their number.
+  /// Return the layout of z, and its number of entries.
   [[nodiscard]] const FitCoordinates& coordinates() const { return coordinates_; }
   [[nodiscard]] int size() const { return coordinates_.size(); }
 
-  /// The digit in the subject's size, and in that of a specimen (its index, or one below 0 for the
-  /// population).
+  /// Return the digit in the subject's size, and in that of a specimen (its index, or below 0 for
+  /// the population).
   [[nodiscard]] const TendonDigit& digit() const { return digit_; }
   [[nodiscard]] const TendonDigit& digit_of(int specimen) const;
-  /// The digit in the size of the specimen of any experiment, of this fit or not.
-  /// @throws InputError if the size is to be scaled and nobody has stated it.
+  /// Returns the digit in the size of the specimen of any experiment, of this fit or not.
+  /// @throws InputError if the digit must be scaled and the size is not stated.
   [[nodiscard]] TendonDigit sized_digit(const Experiment& experiment) const;
   [[nodiscard]] Scaling scaling() const { return scaling_; }
   [[nodiscard]] const FitParameters& parameters() const { return coordinates_.parameters(); }
@@ -52,28 +52,30 @@ class FitProblem {
 
   [[nodiscard]] const std::vector<Experiment>& experiments() const { return experiments_; }
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
-  /// Index in specimens().
+  /// Returns the index of the experiment's specimen in specimens().
   [[nodiscard]] int specimen_of(int experiment) const { return specimen_of_.at(experiment); }
-  /// compile_forces() of an experiment, which may be null.
+  /// Returns compile_forces() of an experiment; may be null.
   [[nodiscard]] const ForceKernel* kernel_of(int experiment) const {
     return kernels_.at(static_cast<std::size_t>(experiment)).get();
   }
-  /// Activation rows of an experiment as unit pulls, which are all trials of its plan; no tasks
-  /// where there are none, or a net makes forces that are not linear in tensions.
+  /// Returns the activation rows of an experiment as unit pulls, which are the trials of its plan;
+  /// no tasks if there are none, or if the digit has a net, whose forces are not linear in the
+  /// tensions.
   [[nodiscard]] const ActivationPlan& activations_of(int experiment) const {
     return activations_.at(static_cast<std::size_t>(experiment));
   }
+  /// Returns the compiled forces of the activation rows; null without tasks.
   [[nodiscard]] const ForceKernel* activation_kernel_of(int experiment) const {
     return activation_kernels_.at(static_cast<std::size_t>(experiment)).get();
   }
   [[nodiscard]] double robust_scale() const { return robust_scale_; }  // [1]
 
-  /// Bounds on distances between axes, as given and by hinges of the digit.
+  /// Return the bounds on distances between axes, as given and as pairs of hinges of the digit.
   [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
   [[nodiscard]] const std::vector<AxisPair>& axis_pairs() const { return axis_pairs_; }
 
-  /// Warnings to read before the fit is trusted: experiment_warnings(), posture_name_warnings(),
-  /// doubled_trial_warnings(), activations that least squares leaves aside,
+  /// Returns warnings about the data: experiment_warnings(), posture_name_warnings(),
+  /// doubled_trial_warnings(), activations that least squares does not use,
   /// fixed_geometry_warnings().
   [[nodiscard]] std::vector<std::string> warnings() const;
 
@@ -86,21 +88,22 @@ class FitProblem {
   std::vector<Experiment> experiments_;
   Scaling scaling_;
   FitCoordinates coordinates_;
-  std::vector<ExperimentPlan> plans_;  // of each experiment
-  std::vector<int> specimen_of_;       // of each experiment
-  std::vector<TendonDigit> digits_;    // of each specimen in its size; none if not scaled
+  std::vector<ExperimentPlan> plans_;  // plan of each experiment
+  std::vector<int> specimen_of_;       // specimen of each experiment
+  std::vector<TendonDigit> digits_;    // scaled digit of each specimen; empty if not scaled
+  // Compiled forces of each experiment; immutable, hence shared by copies of the problem.
+  std::vector<std::shared_ptr<const ForceKernel>> kernels_;
+  std::vector<ActivationPlan> activations_;  // activation rows of each experiment
   std::vector<std::shared_ptr<const ForceKernel>>
-      kernels_;  // of each experiment; constant, so that copies of the problem share them
-  std::vector<ActivationPlan> activations_;                             // of each experiment
-  std::vector<std::shared_ptr<const ForceKernel>> activation_kernels_;  // null without tasks
-  double robust_scale_;                                                 // [1]
+      activation_kernels_;  // one per experiment, null without tasks
+  double robust_scale_;     // [1]
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;
 };
 
-/// The problem with a part of its trials; experiments without any are dropped, and so are rows of
-/// activations in a posture that has lost all its trials.
-/// @param keep  keep(experiment, trial)
+/// Returns the problem with a part of its trials. Experiments without trials are dropped, and so
+/// are activation rows of postures that have lost all trials.
+/// @param keep  selects trials: keep(experiment, trial)
 [[nodiscard]] FitProblem subset(const FitProblem& problem,
                                 const std::function<bool(const Experiment&, const Trial&)>& keep);
 

@@ -53,7 +53,7 @@ int measured_numbers(const FitProblem& problem) {
 
 namespace {
 
-/// Forces of a plan at the coordinates of its specimen, with their slopes if wanted.
+/// Returns the forces of a plan at the coordinates of its specimen, with their slopes if wanted.
 ForceJacobian forces_at(const FitProblem& problem, int e, const ExperimentPlan& plan,
                         const ForceKernel* kernel, const Eigen::VectorXd& u, WithJacobian want) {
   const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
@@ -62,22 +62,23 @@ ForceJacobian forces_at(const FitProblem& problem, int e, const ExperimentPlan& 
   return {force_values(digit, problem.parameters(), plan, u, kernel), {}};
 }
 
-/// Chain rule from coordinates to the entries of z that move the specimen: two of them at most move
-/// a coordinate.
+/// Applies the chain rule from coordinates to the entries of z that move the specimen; at most two
+/// entries move each coordinate.
 Eigen::MatrixXd by_entries(const FitCoordinates& coordinates, const CoordinateMotion& at,
                            const Eigen::MatrixXd& J) {
   Eigen::MatrixXd out =
       Eigen::MatrixXd::Zero(J.rows(), coordinates.population_entries() + coordinates.deviations());
   for (Eigen::Index c = 0; c < J.cols(); ++c) {
-    const CoordinateEntries& of = coordinates.entries(static_cast<int>(c));
-    if (of.population >= 0) out.col(of.population) += at.by_population[c] * J.col(c);
-    if (of.deviation >= 0) out.col(of.deviation) += at.by_deviation[c] * J.col(c);
+    const CoordinateEntries& coordinate = coordinates.entries(static_cast<int>(c));
+    if (coordinate.population >= 0)
+      out.col(coordinate.population) += at.by_population[c] * J.col(c);
+    if (coordinate.deviation >= 0) out.col(coordinate.deviation) += at.by_deviation[c] * J.col(c);
   }
   return out;
 }
 
-/// Residuals of the activation rows of experiment e with slopes by coordinates: three of each row's
-/// force, row by row, then one of each row's width.
+/// Computes residuals of the activation rows of experiment e, with slopes by coordinates: three of
+/// each row's force, row by row, then one of each row's width.
 Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorXd& u,
                           WithJacobian want) {
   const ActivationPlan& rows = problem.activations_of(e);
@@ -89,7 +90,7 @@ Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorX
   const bool jacobian = want == WithJacobian::kYes;
   if (jacobian) out.J.resize(4 * count, unit.J.cols());
   for (Eigen::Index k = 0; k < count; ++k) {
-    // Forces of the row's own unit pulls.
+    // Select the forces of this row's unit pulls.
     const ActivationTask& task = rows.tasks[k];
     const auto pulls = static_cast<Eigen::Index>(task.pulls.size());
     Eigen::Matrix3Xd A(3, pulls);
@@ -99,6 +100,7 @@ Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorX
       A.col(j) = unit.force.col(column);
       if (jacobian) A_u.middleRows(3 * j, 3) = unit.J.middleRows(3 * column, 3);
     }
+    // Combine them into the row's residuals.
     const Residuals one = activation_residuals(task, A, A_u);
     out.r.segment<3>(3 * k) = one.r.head<3>();
     out.r[3 * count + k] = one.r[3];
@@ -119,7 +121,7 @@ Eigen::Vector3d plain_residual(const Eigen::Vector3d& r, double c) {
 
 Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                          WithJacobian want) {
-  // Forces, and their slopes by the entries of z that move the specimen.
+  // Compute forces, and their slopes by the entries of z that move the specimen.
   const FitCoordinates& coordinates = problem.coordinates();
   const ExperimentPlan& plan = problem.plans()[e];
   const CoordinateMotion at = coordinate_motion(coordinates, z, problem.specimen_of(e));
@@ -130,7 +132,7 @@ Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, in
   if (jacobian)
     out.J = plan.sd.reshaped().cwiseInverse().asDiagonal() * by_entries(coordinates, at, forces.J);
 
-  // Rows of activations follow the trials.
+  // Append the activation rows after the trials.
   if (!problem.activations_of(e).tasks.empty()) {
     const Residuals rows = activation_rows(problem, e, at.u, want);
     out.r.conservativeResize(out.r.size() + rows.r.size());
@@ -142,7 +144,7 @@ Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, in
     }
   }
 
-  // Robust loss, force by force.
+  // Apply the robust loss, force by force.
   const double scale = problem.robust_scale();
   const Eigen::Index forces_end = force_rows(problem, e);
   for (Eigen::Index row = 0; row < forces_end && scale > 0; row += 3)
@@ -177,7 +179,7 @@ Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z, Wit
   out.r.resize(data + size);
   if (jacobian) out.J = Eigen::MatrixXd::Zero(data + size, size);
 
-  // Data: columns of the population, and of the specimen that each experiment was done on.
+  // Fill in the data: columns of the population, and of each experiment's specimen.
   const int shared = problem.coordinates().population_entries();
   const int deviations = problem.coordinates().deviations();
   int row = 0;
@@ -193,7 +195,7 @@ Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z, Wit
     row += rows;
   }
 
-  // Priors: every coordinate is standard normal.
+  // Append the priors: every coordinate is standard normal.
   out.r.tail(size) = z;
   if (jacobian) out.J.bottomRows(size).setIdentity();
   return out;
@@ -202,7 +204,7 @@ Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z, Wit
 ConstraintValues axis_constraints(const FitProblem& problem, const Eigen::VectorXd& z) {
   const auto pairs = static_cast<Eigen::Index>(problem.axis_pairs().size());
   const auto specimens = static_cast<Eigen::Index>(problem.specimens().size());
-  // Specimen by specimen, with the chain rule to z.
+  // Evaluate each specimen, with the chain rule to z.
   ConstraintValues out{Eigen::VectorXd(pairs * specimens),
                        Eigen::MatrixXd::Zero(pairs * specimens, problem.size())};
   for (Eigen::Index s = 0; s < specimens && pairs > 0; ++s) {
@@ -227,9 +229,9 @@ Eigen::VectorXd axis_constraint_lower(const FitProblem& problem) {
 
 namespace {
 
-/// Priors of the population's entries (block -1) or of a specimen's deviations: r = z.
+/// Returns the priors of the population's entries (block -1) or of a specimen's deviations: r = z.
 ResidualPart prior_part(const ArrowLayout& layout, int block) {
-  const int first = block < 0 ? 0 : layout.first(block);
+  const int first = block < 0 ? 0 : layout.first_index(block);
   const int count = block < 0 ? layout.shared : layout.own;
   const int columns = layout.shared + (block < 0 ? 0 : layout.own);
   return {block, [=](const Eigen::VectorXd& z, WithJacobian want) {
@@ -241,13 +243,13 @@ ResidualPart prior_part(const ArrowLayout& layout, int block) {
           }};
 }
 
-/// The residuals of several specimens, in blocks.
+/// Adds the residuals of several specimens, in blocks.
 void add_parts(const FitProblem& problem, LeastSquares& out) {
   const int specimens = static_cast<int>(problem.specimens().size());
   const int shared = problem.coordinates().population_entries();
   const int deviations = problem.coordinates().deviations();
   if (specimens < 2 || deviations == 0 || shared == 0) return;
-  // Arrow layout: shared entries, and a block for each specimen.
+  // Lay out the arrow: shared entries, and a block for each specimen.
   out.layout = {shared, deviations, specimens};
   for (int block = -1; block < specimens; ++block)
     out.parts.push_back(prior_part(out.layout, block));
@@ -261,7 +263,7 @@ void add_parts(const FitProblem& problem, LeastSquares& out) {
 }  // namespace
 
 LeastSquares least_squares(const FitProblem& problem) {
-  // Residuals within the bounds of z, whole and in blocks.
+  // Set the residuals, whole and in blocks, and the bounds of z.
   LeastSquares out;
   add_parts(problem, out);
   out.lower = problem.coordinates().lower();
@@ -271,7 +273,7 @@ LeastSquares least_squares(const FitProblem& problem) {
   };
   if (problem.axis_distances().empty()) return out;
 
-  // Distances between axes; their scaled upper bounds are 1.
+  // Constrain the distances between axes; their scaled upper bounds are 1.
   out.c_lower = axis_constraint_lower(problem);
   out.c_upper = Eigen::VectorXd::Ones(out.c_lower.size());
   out.constraints = [&problem](const Eigen::VectorXd& z) { return axis_constraints(problem, z); };

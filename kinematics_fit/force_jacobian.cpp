@@ -15,11 +15,11 @@
 namespace thenar {
 namespace {
 
-// Derivatives carried at once; they fill two AVX or four SSE registers
+// Derivatives propagated at once; they fill two AVX or four SSE registers
 constexpr int kJetLanes = 8;
 using Jet = ceres::Jet<double, kJetLanes>;
 
-/// u with unit derivatives for coordinates first .. first + kJetLanes - 1.
+/// Returns u with unit derivatives for coordinates first .. first + kJetLanes - 1.
 std::vector<Jet> seed(const Eigen::VectorXd& u, int first) {
   std::vector<Jet> jets(u.data(), u.data() + u.size());
   for (int lane = 0; lane < kJetLanes && first + lane < u.size(); ++lane)
@@ -27,12 +27,12 @@ std::vector<Jet> seed(const Eigen::VectorXd& u, int first) {
   return jets;
 }
 
-/// Lane of each entry.
+/// Returns one lane of the derivatives of a vector.
 Eigen::Vector3d lane_of(const Vec3<Jet>& v, int lane) {
   return {v.x().v[lane], v.y().v[lane], v.z().v[lane]};
 }
 
-/// Twist of a link whose pose has these derivatives:  dR R' = [w],  v = dp - w x p.
+/// Returns the twist of a link from the derivatives of its pose:  dR R' = [w],  v = dp - w x p.
 internal::BodyTwist twist_of(const Pose<Jet>& X, int lane) {
   Eigen::Matrix3d R, dR;
   for (int i = 0; i < 9; ++i) {
@@ -44,29 +44,32 @@ internal::BodyTwist twist_of(const Pose<Jet>& X, int lane) {
   return {lane_of(X.p, lane) - w.cross(p), w};
 }
 
-/// The motion of one lane: of bones, hinges, places, radii, and of tensions at fixed lengths.
-internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const TreeState<Jet>& state,
+/// Returns the perturbation of one lane: of bones, hinges, nodes, radii, and of tensions at fixed
+/// lengths.
+internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& specimen_net,
+                                          const TreeState<Jet>& state,
                                           const internal::TangentNet& tangent,
                                           const VectorX<Jet>& pulls, int lane) {
   const Net& net = tangent.net;
   internal::NetPerturbation input = internal::still(net, state.size());
-  // Bones and hinges.
+  // Perturb bones and hinges.
   for (std::size_t i = 0; i < state.size(); ++i) {
     input.link[i + 1] = twist_of(state[i].X, lane);
     input.axis[i] = lane_of(state[i].axis, lane);
     input.point[i] = lane_of(state[i].point, lane);
   }
-  // Places of fixed nodes on their bones, and the bones' thickness.
+  // Perturb the places of fixed nodes on their bones, and the bones' radii.
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     if (net.nodes[i].free) continue;
-    Vec3<Jet> along = of.place[i];
+    Vec3<Jet> along = specimen_net.place[i];
     for (int c = 0; c < 3; ++c) along[c].a = 0;
     const int link = net.nodes[i].link;
     if (link >= 0) along = (state[link].X.R * along).eval();
     input.node.col(static_cast<Eigen::Index>(i)) = lane_of(along, lane);
   }
-  for (Eigen::Index s = 0; s < input.radius.size(); ++s) input.radius[s] = of.radius[s].v[lane];
-  // Tensions: pulls, and laws of bands in terms of log EA and log slack.
+  for (Eigen::Index s = 0; s < input.radius.size(); ++s)
+    input.radius[s] = specimen_net.radius[s].v[lane];
+  // Perturb tensions: pulls, and the laws of bands in terms of log EA and log slack length.
   for (Eigen::Index b = 0; b < input.tension.size(); ++b) {
     const int muscle = net.bands[b].muscle;
     if (muscle >= 0) {
@@ -74,9 +77,9 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
       continue;
     }
     const internal::BandState& band = tangent.band[b];
-    input.tension[b] =
-        band.pull.tension * of.EA[b].v[lane] / of.EA[b].a -
-        band.pull.stiffness * band.chord.length * of.slack[b].v[lane] / of.slack[b].a;
+    input.tension[b] = band.pull.tension * specimen_net.EA[b].v[lane] / specimen_net.EA[b].a -
+                       band.pull.stiffness * band.chord.length * specimen_net.slack[b].v[lane] /
+                           specimen_net.slack[b].a;
   }
   return input;
 }
@@ -89,7 +92,7 @@ bool is_still(const internal::NetPerturbation& input) {
                 [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
 }
 
-/// A specimen's net at rest in all trials, with its derivatives: by implicit differentiation.
+/// Equilibria of a specimen's net in all trials, with derivatives by implicit differentiation.
 class NetSlopes {
  public:
   NetSlopes(const SpecimenModel<double>& model, const ExperimentPlan& plan)
@@ -97,7 +100,7 @@ class NetSlopes {
         tree_(model.digit.tree),
         at_(net_trials(model, plan)),
         tangent_(at_.trials.size()) {
-    // Trials in which the net is not differentiable have no slopes.
+    // Skip trials in which the net is not differentiable: their slopes are 0.
     for (std::size_t i = 0; i < tangent_.size(); ++i)
       if (at_.trials[i] &&
           why_not_differentiable(at_.net, at_.trials[i]->rest, kSettledNet).empty())
@@ -110,7 +113,7 @@ class NetSlopes {
     const NetTrial& trial = *at_.trials[i];
     VectorX<Jet> tau = trial.tau.cast<Jet>();
     if (!tangent_[i]) return tau;
-    // Pulls of this trial, then one lane after the other.
+    // Compute the pulls of this trial, then the torque rates lane by lane.
     const VectorX<Jet> pulls =
         net_pulls(*model.net, mcp_angle<Jet>(model.digit, at.angles),
                   VectorX<Jet>(model.gain.cwiseProduct(plan_.tension[i].cast<Jet>())));
@@ -138,7 +141,7 @@ class NetSlopes {
 std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
                                                   const FitParameters& parameters,
                                                   const ExperimentPlan& plan) {
-  if (!ForceKernel::knows(digit, plan)) return nullptr;
+  if (!ForceKernel::supports(digit, plan)) return nullptr;
   return std::make_shared<const ForceKernel>(digit, parameters, plan);
 }
 
@@ -163,11 +166,11 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
     ForceKernel::Slopes at = kernel->slopes(u);
     return {at.forces.reshaped(3, plan.force.cols()), std::move(at.J)};
   }
-  // Eight coordinates at a time; the forces come along each time.
+  // Differentiate by eight coordinates at a time; each pass yields the forces, too.
   const int n = parameters.coordinates();
   ForceJacobian out{Eigen::Matrix3Xd(3, plan.force.cols()),
                     Eigen::MatrixXd(3 * plan.force.cols(), n)};
-  std::optional<NetSlopes> nets;  // at rest once for all lanes
+  std::optional<NetSlopes> nets;  // equilibria, solved once for all lanes
   if (digit.net)
     nets.emplace(specimen_model(digit, parameters, parameter_values<double>(parameters, u)), plan);
   for (int first = 0; first < n; first += kJetLanes) {
@@ -177,7 +180,7 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
         model, plan, [&](const PosedSpecimen<Jet>& at, Eigen::Index i) -> VectorX<Jet> {
           return nets->torque(model, at, static_cast<std::size_t>(i));
         });
-    // Values, and derivatives into their columns.
+    // Store values, and derivatives into their columns.
     for (Eigen::Index i = 0; i < forces.size(); ++i) {
       const Jet& f = forces.data()[i];
       out.force.data()[i] = f.a;
@@ -190,7 +193,7 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
 
 ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters& parameters,
                                   const std::vector<AxisPair>& pairs, const Eigen::VectorXd& u) {
-  // Eight coordinates at a time, as for forces.
+  // Differentiate by eight coordinates at a time, as for forces.
   const int n = parameters.coordinates();
   const auto count = static_cast<Eigen::Index>(pairs.size());
   ConstraintValues out{Eigen::VectorXd(count), Eigen::MatrixXd(count, n)};
@@ -199,7 +202,7 @@ ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters&
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)))
             .digit.tree;
     for (Eigen::Index k = 0; k < count; ++k) {
-      // Squared distance over the squared upper limit.
+      // Divide the squared distance by the squared upper limit.
       const AxisPair& pair = pairs[k];
       const Jet c =
           squared_axis_distance(tree[pair.first], tree[pair.second]) / (pair.upper * pair.upper);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Predicted forces and distances between axes with exact derivatives. The fence of Ceres'
-/// automatic differentiation.
+/// Predicted forces and distances between axes with exact derivatives. The only code that includes
+/// Ceres' automatic differentiation.
 
 #include <memory>
 
@@ -16,27 +16,30 @@ struct ForceJacobian {
   Eigen::MatrixXd J;       // [N per SI] (3 trials, coordinates)
 };
 
-/// The force model of an experiment, compiled, for copies of its problem to share; null where only
-/// the templates of predict_forces.h know it: with an extensor net, or forces measured at other
-/// segments than the tip.
+/// Compiles the force model of an experiment, to be shared by copies of its problem. Returns null
+/// if only the templates of predict_forces.h support it: with an extensor net, or if forces are
+/// measured at segments other than the tip.
 [[nodiscard]] std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
                                                                 const FitParameters& parameters,
                                                                 const ExperimentPlan& plan);
 
-/// @param u       (coordinates)
-/// @param kernel  compile_forces() of the same, or null: the values are the same to rounding, and
+/// Predicts the forces of all trials [N] (3, trials).
+/// @param u       displacements of the free coordinates [SI] (coordinates)
+/// @param kernel  compile_forces() of the same arguments, or null: values are equal to rounding,
+/// and
 ///                Jacobians take several times as long
 [[nodiscard]] Eigen::Matrix3Xd force_values(const TendonDigit& digit,
                                             const FitParameters& parameters,
                                             const ExperimentPlan& plan, const Eigen::VectorXd& u,
                                             const ForceKernel* kernel = nullptr);
 
+/// Predicts the forces and their derivatives; arguments as for force_values().
 [[nodiscard]] ForceJacobian force_jacobian(const TendonDigit& digit,
                                            const FitParameters& parameters,
                                            const ExperimentPlan& plan, const Eigen::VectorXd& u,
                                            const ForceKernel* kernel = nullptr);
 
-/// c = (distance / upper)^2 of every pair, wanted in (lower / upper)^2 .. 1, and dc/du.
+/// Computes c = (distance / upper)^2 of every pair, bounded by (lower / upper)^2 .. 1, and dc/du.
 [[nodiscard]] ConstraintValues axis_constraints(const TendonDigit& digit,
                                                 const FitParameters& parameters,
                                                 const std::vector<AxisPair>& pairs,

@@ -27,7 +27,7 @@ std::vector<std::string> hood_muscles(const TendonDigit& digit) {
 
 std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
                                              const std::vector<std::string>& muscles) {
-  // Trials of each muscle, in the order in which muscles first appear.
+  // Select the trials of hood muscles, in the order in which muscles first appear.
   std::vector<std::string> order;
   std::vector<PredictedTrial> all;
   for (const PredictedTrial& trial : prediction.trials) {
@@ -37,6 +37,7 @@ std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
   }
   if (all_zero(all)) return {};
   HoodRowErrors out{{}, force_error(all)};
+  // Add the errors of each muscle.
   for (const std::string& muscle : order) {
     std::vector<PredictedTrial> alone;
     for (const PredictedTrial& trial : all)

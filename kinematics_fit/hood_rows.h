@@ -1,7 +1,7 @@
 #pragma once
 
-/// Errors of the trials that the extensor hood decides, muscle by muscle, and what a fit spends on
-/// it.
+/// Errors of the trials that depend on the extensor hood, by muscle, and the number of parameters
+/// that a fit uses for it.
 
 #include <optional>
 #include <string>
@@ -12,31 +12,32 @@
 
 namespace thenar {
 
-/// Errors of the trials under one muscle alone.
+/// Errors of the trials that load one muscle only.
 struct MuscleError {
   std::string muscle;
   ForceError error;
 };
 
+/// Errors of the trials that load one muscle of the hood.
 struct HoodRowErrors {
-  std::vector<MuscleError> muscles;  // in the order of the trials
-  ForceError together;               // of the trials of all these muscles
+  std::vector<MuscleError> muscles;  // errors by muscle, in the order of the trials
+  ForceError total;                  // error over the trials of all these muscles
 };
 
-/// Muscles that the hood of a digit divides by fractions, or that pull its net.
+/// Returns the muscles whose force the hood distributes by fractions, or that pull the net.
 [[nodiscard]] std::vector<std::string> hood_muscles(const TendonDigit& digit);
 
-/// Errors of the trials that load one of the muscles, and no other. A muscle whose measured forces
-/// are all zero is left out.
-/// @return empty if there is no such trial
+/// Computes the errors of the trials that load one of the muscles, and no other. A muscle whose
+/// measured forces are all zero is left out.
+/// @return nothing if there is no such trial
 [[nodiscard]] std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
                                                            const std::vector<std::string>& muscles);
 
-/// Free numbers of a hood or net in a fit.
+/// Number of free parameters of a hood or net in a fit.
 struct HoodCount {
-  int entries = 0;       // of z: of the population, and of every specimen [1]
-  double effective = 0;  // sum of 1 - sd^2 over them, sd the posterior's in prior sds: their part
-                         // of Covariance::effective_parameters [1]
+  int entries = 0;       // number of entries of z, of the population and of every specimen [1]
+  double effective = 0;  // sum of 1 - sd^2 over the entries, with posterior sds in prior sds: their
+                         // part of Covariance::effective_parameters [1]
 };
 
 /// Counts the parameters hood/* and net/*.

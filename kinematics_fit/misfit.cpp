@@ -11,11 +11,11 @@
 namespace thenar {
 namespace {
 
-// Tail probability below which a misfit is not chance [1]
+// Tail probability below which a misfit is beyond chance [1]
 constexpr double kChanceProbability = 1e-4;
-constexpr double kNoiseStraySds = 0.5;  // Prior sd of the logarithm of a factor on the noise [1]
+constexpr double kNoiseStraySds = 0.5;  // prior sd of the log of a factor on the noise [1]
 
-/// Sum of squares of residuals without the robust loss, force by force.
+/// Returns the sum of squared residuals without the robust loss, force by force.
 double plain_squares(const Eigen::VectorXd& r, double robust_scale) {
   double sum = 0;
   for (Eigen::Index row = 0; row < r.size(); row += 3)
@@ -23,7 +23,7 @@ double plain_squares(const Eigen::VectorXd& r, double robust_scale) {
   return sum;
 }
 
-/// Force components of finite sd, of trials and of rows of activations.
+/// Counts force components of finite sd, of trials and of activation rows.
 int fitted_numbers(const FitProblem& problem, int e) {
   const ExperimentPlan& plan = problem.plans()[e];
   return static_cast<int>((plan.sd.array() < HUGE_VAL).count()) +
@@ -37,13 +37,13 @@ const char* const kMisfitAdvice =
     "and loads, the noise that was stated, and at parameters that are fixed but in doubt: free "
     "these";
 
-Misfit misfit(double chi_square, int numbers, double effective) {
+Misfit compute_misfit(double chi_square, int numbers, double effective) {
   Misfit out;
   out.chi_square = chi_square;
   out.numbers = numbers;
   out.degrees_of_freedom = std::max(0.0, numbers - effective);
-  // Without a degree of freedom nothing can be missed.
-  constexpr double kMinFreedom = 1e-6;  // Fewer degrees of freedom are rounding [1]
+  // Report no misfit without degrees of freedom.
+  constexpr double kMinFreedom = 1e-6;  // smallest number that is not rounding [1]
   if (out.degrees_of_freedom < kMinFreedom) return out;
   out.times_noise = std::sqrt(chi_square / out.degrees_of_freedom);
   out.tail = chi_square_tail(chi_square, out.degrees_of_freedom);
@@ -55,12 +55,12 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
                             const Covariance& covariance) {
   std::vector<Misfit> all;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
-    // Residuals, and how much of them the parameters that move this specimen take up.
+    // Sum the residuals, and the leverage of the parameters that move this specimen.
     const Residuals data = data_residuals(problem, z, e, WithJacobian::kNo);
     const int forces = force_rows(problem, e);
     const double effective = covariance.leverage[e].leftCols(forces).squaredNorm();
-    all.push_back(misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
-                         fitted_numbers(problem, e), effective));
+    all.push_back(compute_misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
+                                 fitted_numbers(problem, e), effective));
   }
   return all;
 }

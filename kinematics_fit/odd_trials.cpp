@@ -14,11 +14,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kOddProbability = 1e-3;  // Largest tail probability of an odd trial [1]
-// Share of the odd trial's distance from which another trial may be wrong instead [1]
+constexpr double kOddProbability = 1e-3;  // largest tail probability of an outlier [1]
+// Smallest distance of a trial that may be wrong instead, over that of the outlier [1]
 constexpr double kRivalDistanceShare = 0.5;
 
-/// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
+/// Returns "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
 std::string name_of(const Experiment& experiment, std::size_t row) {
   const std::size_t trials = experiment.trials.size();
   if (row >= trials)
@@ -28,26 +28,28 @@ std::string name_of(const Experiment& experiment, std::size_t row) {
   return fmt::format("{} in posture '{}'", describe_loads(trial), trial.posture);
 }
 
-/// Residuals r of an experiment and W with H = W'W, three columns a trial.
+/// Residuals r of an experiment, and W with hat matrix H = W'W, three columns for each trial.
 struct Leverage {
   Eigen::VectorXd r;
   const Eigen::MatrixXd& W;
 };
 
-/// Squared distance of trial i from what all others tell of it that are not left out: without those
-/// of S,
+/// Returns the squared distance of trial i from its prediction by the other trials, without the
+/// trials S in `out`:
 ///   r -> r + H_iS (I - H_SS)^-1 r_S,   H_ii -> H_ii + H_iS (I - H_SS)^-1 H_Si.
-double squared_distance(const Leverage& of, Eigen::Index i, const std::vector<Eigen::Index>& out) {
-  Eigen::Vector3d r = of.r.segment<3>(3 * i);
-  const auto W = of.W.middleCols<3>(3 * i);
+double squared_distance(const Leverage& leverage, Eigen::Index i,
+                        const std::vector<Eigen::Index>& out) {
+  Eigen::Vector3d r = leverage.r.segment<3>(3 * i);
+  const auto W = leverage.W.middleCols<3>(3 * i);
   Eigen::Matrix3d H = W.transpose() * W;
+  // Remove the influence of the trials that are left out.
   if (!out.empty()) {
     const auto rows = 3 * static_cast<Eigen::Index>(out.size());
-    Eigen::MatrixXd A(of.W.rows(), rows);
+    Eigen::MatrixXd A(leverage.W.rows(), rows);
     Eigen::VectorXd r_out(rows);
     for (std::size_t k = 0; k < out.size(); ++k) {
-      A.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = of.W.middleCols<3>(3 * out[k]);
-      r_out.segment<3>(3 * static_cast<Eigen::Index>(k)) = of.r.segment<3>(3 * out[k]);
+      A.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = leverage.W.middleCols<3>(3 * out[k]);
+      r_out.segment<3>(3 * static_cast<Eigen::Index>(k)) = leverage.r.segment<3>(3 * out[k]);
     }
     const Eigen::MatrixXd cross = A.transpose() * W;
     const Eigen::LLT<Eigen::MatrixXd> rest(Eigen::MatrixXd::Identity(rows, rows) -
@@ -58,30 +60,34 @@ double squared_distance(const Leverage& of, Eigen::Index i, const std::vector<Ei
   return r.dot((Eigen::Matrix3d::Identity() - H).llt().solve(r));
 }
 
-/// Trials and rows of activations of an experiment, as data_residuals() has them.
+/// Returns the number of trials and activation rows of an experiment, as in data_residuals().
 Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(problem, e) / 3; }
 
-/// Odd trials of an experiment, the furthest first, without those that are odd for the sake of
-/// further ones alone.
-std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& of, double rows) {
+/// Returns the outliers of an experiment, the furthest first, without those explained by the
+/// removal of further ones.
+std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leverage& leverage,
+                                    double rows) {
+  // Corrects the tail probability for the number of rows.
   const ExperimentPlan& plan = problem.plans()[e];
   const auto tail_of = [&](Eigen::Index i, double squared) {
     const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()
                                            : Eigen::Index{plan.measured};
     return std::min(1.0, rows * chi_square_tail(squared, static_cast<double>(fitted)));
   };
+  // Find trials that are far from the prediction by all others, and sort them by distance.
   std::vector<OddTrial> all;
   for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
-    const double squared = squared_distance(of, i, {}), tail = tail_of(i, squared);
+    const double squared = squared_distance(leverage, i, {}), tail = tail_of(i, squared);
     if (!(tail >= kOddProbability))
       all.push_back({e, static_cast<int>(i), std::sqrt(squared), tail, -1});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
+  // Keep those that are still far without the outliers before them; note the first rival.
   std::vector<OddTrial> odd;
   std::vector<Eigen::Index> out;
   for (const OddTrial& each : all) {
-    if (!(tail_of(each.trial, squared_distance(of, each.trial, out)) >= kOddProbability)) {
+    if (!(tail_of(each.trial, squared_distance(leverage, each.trial, out)) >= kOddProbability)) {
       odd.push_back(each);
       out.push_back(each.trial);
     } else if (odd.front().instead < 0 &&
@@ -101,12 +107,12 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
   double rows = 0;
   for (int e = 0; e < experiments; ++e) rows += static_cast<double>(rows_of(problem, e));
   for (int e = 0; e < experiments; ++e) {
-    // Residuals that are not fitted are 0, and so are their slopes.
-    Leverage of{data_residuals(problem, z, e, WithJacobian::kNo).r, covariance.leverage[e]};
+    // Remove the robust loss. Residuals that are not fitted are 0, and so are their slopes.
+    Leverage leverage{data_residuals(problem, z, e, WithJacobian::kNo).r, covariance.leverage[e]};
     for (Eigen::Index i = 0; i < rows_of(problem, e); ++i)
-      of.r.segment<3>(3 * i) =
-          plain_residual(Eigen::Vector3d(of.r.segment<3>(3 * i)), problem.robust_scale());
-    for (const OddTrial& each : odd_of(problem, e, of, rows)) odd.push_back(each);
+      leverage.r.segment<3>(3 * i) =
+          plain_residual(Eigen::Vector3d(leverage.r.segment<3>(3 * i)), problem.robust_scale());
+    for (const OddTrial& each : find_outliers(problem, e, leverage, rows)) odd.push_back(each);
   }
   std::stable_sort(odd.begin(), odd.end(),
                    [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
@@ -114,12 +120,12 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
 }
 
 std::vector<std::string> describe(const FitProblem& problem, const std::vector<OddTrial>& odd) {
-  // Most odd trials of an experiment that are named; the others are counted
+  // Largest number of outliers of an experiment that are named; the others are counted
   constexpr std::size_t kMaxNamedTrials = 3;
   std::vector<std::string> warnings;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Experiment& experiment = problem.experiments()[e];
-    // The oddest by name.
+    // Name the furthest.
     std::vector<std::string> names;
     for (const OddTrial& each : odd)
       if (each.experiment == e)

@@ -10,17 +10,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Least and largest size over that of the subject's hand [1]
+// Smallest and largest size over that of the subject's hand [1]
 constexpr double kMinSizeRatio = 0.5, kMaxSizeRatio = 2;
-constexpr double kNoBone = 1e-6;  // Joints closer than this meet, without a bone between them [m]
+constexpr double kNoBone = 1e-6;  // length below which joints meet, without a bone between them [m]
 
 /// Motion of the points of one link, see scale_to_outside().
 struct BoneScale {
-  Vector3d from, to;         // of its joint: before, after [m] (3)
+  Vector3d from, to;         // position of its joint, before and after [m] (3)
   Vector3d along;            // direction of the bone; zero where joints meet (3)
-  double length = 0;         // before [m]
-  double stretch = 1;        // s [1]
-  double near = 1, far = 1;  // w at its joint and at the far end [1]
+  double length = 0;         // length before [m]
+  double stretch = 1;        // factor s on the length [1]
+  double near = 1, far = 1;  // factors w across, at its joint and at the far end [1]
 };
 
 Vector3d scaled(const BoneScale& bone, const Vector3d& p) {
@@ -31,7 +31,7 @@ Vector3d scaled(const BoneScale& bone, const Vector3d& p) {
   return bone.to + bone.stretch * x * bone.along + across * (r - x * bone.along);
 }
 
-/// Sizes of one digit, link by link from the base to the tip.
+/// Scales of one digit, link by link from the base to the tip.
 class OutsideScale {
  public:
   OutsideScale(const TendonDigit& digit, const std::map<std::string, double>& length)
@@ -65,7 +65,7 @@ class OutsideScale {
   }
 
   void stretch_bones() {
-    // The bones that were measured.
+    // Set the stretch of the measured bones.
     double sum = 0;
     std::vector<std::string> measured(bones_.size());
     for (const auto& [segment, length] : length_) {
@@ -86,18 +86,21 @@ class OutsideScale {
       bones_[link].stretch = ratio;
       sum += std::log(bones_[link].stretch);
     }
-    // The others follow their mean.
+    // Stretch the others by their geometric mean.
     for (std::size_t i = 0; i < bones_.size(); ++i)
       if (measured[i].empty())
         bones_[i].stretch = std::exp(sum / static_cast<double>(length_.size()));
   }
 
-  /// Across, at each joint between the bones that meet there. Joints in one place count as one.
+  /// Sets the factors across at each joint from the bones that meet there; joints in one place
+  /// count as one.
   void widen_bones() {
-    double before = 0;  // s of the bone before; 0: there is none
+    double before = 0;  // s of the previous bone; 0 if there is none
+    // Find joints in one place, from `first` to `last`.
     for (std::size_t first = 0; first < chain_.size();) {
       std::size_t last = first;
       while (last + 1 < chain_.size() && bones_[chain_[last]].length == 0) ++last;
+      // Widen by the geometric mean of the bones that meet.
       const double after = bones_[chain_[last]].stretch;
       const double across = before == 0 ? after : std::sqrt(before * after);
       for (std::size_t k = first; k <= last; ++k)
@@ -108,7 +111,7 @@ class OutsideScale {
     }
   }
 
-  /// The first joint stays, and each next one goes with the bone before it.
+  /// Places the joints: the first one stays, and each next one moves with the bone before it.
   void place_joints() {
     for (std::size_t k = 1; k < chain_.size(); ++k)
       bones_[chain_[k]].to = scaled(bones_[chain_[k - 1]], bones_[chain_[k]].from);
@@ -118,7 +121,7 @@ class OutsideScale {
 
   const TendonDigit& digit_;
   const std::map<std::string, double>& length_;  // segment -> measured [m]
-  std::vector<BoneScale> bones_;                 // of each link
+  std::vector<BoneScale> bones_;                 // scale of each link
   std::vector<std::size_t> chain_;               // links from the base to the tip
   BoneScale base_;
 };
@@ -151,7 +154,7 @@ TendonDigit scale_to_outside(const TendonDigit& digit, const Experiment& experim
   require_scalable(digit, experiment);
   const OutsideScale scale(digit, experiment.outside_length);
   TendonDigit out = digit;
-  // Joints and tip.
+  // Scale joints, tip and tendon paths.
   for (std::size_t i = 0; i < out.model.tree.size(); ++i)
     out.model.tree[i].point = scale(static_cast<int>(i), out.model.tree[i].point);
   out.model.tip = scale(out.model.tip_link, out.model.tip);

@@ -21,7 +21,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// -log N(r; 0, sd^2) [nat].
+/// Returns -log N(r; 0, sd^2) [nat].
 double normal_loss(double r, double sd) {
   constexpr double kHalfLogTwoPi = 0.91893853320467274;
   return kHalfLogTwoPi + std::log(sd) + 0.5 * (r / sd) * (r / sd);
@@ -32,15 +32,16 @@ bool of_one_posture(const Parameter& p) {
   return p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
 }
 
-/// Belief about such a parameter in a posture, the mean over known postures.
+/// Belief about such a parameter in a posture: the mean over known postures.
 struct PostureBelief {
   double mean = 0;      // [SI]
   double variance = 0;  // [SI^2]
 };
 
-/// @param like  the parameter of one of the postures
+/// Returns the belief about a parameter of a further posture. @param like  parameter of one of the
+/// postures
 PostureBelief posture_belief(const FitParameters& fitted, const Parameter& like) {
-  // Means and variances over the postures.
+  // Sum means and variances over the postures.
   PostureBelief sum;
   for (std::size_t p = 0; p < fitted.all.size(); ++p) {
     const Parameter& one = fitted.all[p];
@@ -67,13 +68,13 @@ Eigen::Matrix3Xd predict_trials(const FitProblem& problem, const Eigen::VectorXd
 
 FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment) {
   const FitParameters known = fitted;
-  // A posture that the fit does not name gets its own key.
+  // Give each posture that the fit does not know its own key.
   for (const PostureRecord& posture : experiment.postures) {
     const auto& names = fitted.postures;
     if (known.postures.empty() || contains(names, posture.name)) continue;
     const auto key = static_cast<int>(names.size());
     fitted.postures.push_back(posture.name);
-    // Everything that the first of the known postures has of its own, by the mean of their priors.
+    // Copy the parameters of the first known posture, with the mean of the priors of all postures.
     for (const Parameter& like : known.all) {
       if (!of_one_posture(like) || like.point != 0) continue;
       const PostureBelief belief = posture_belief(known, like);
@@ -115,7 +116,7 @@ Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& 
                           const Eigen::Matrix3Xd& sd, bool calibrated_on_specimen) {
   Prediction out{experiment.name, {}, {}, calibrated_on_specimen};
   for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
-    // Predicted and measured, trial by trial.
+    // Compare trial by trial.
     const Trial& trial = experiment.trials[i];
     out.trials.push_back({trial.posture, describe_loads(trial), trial.force, predicted.col(i),
                           sd.col(i), experiment.components});
@@ -130,14 +131,14 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   int covered = 0, counted = 0;
   double log_loss = 0;
   std::vector<double> angles;
-  // Sums of squares, all components and the two in the plane of flexion.
+  // Sum squares of all components, and of the two in the plane of flexion.
   for (const PredictedTrial& trial : trials) {
     const Eigen::Vector3d r = trial.predicted - trial.measured;
     residual += r.squaredNorm();
     flexion += r.head<2>().squaredNorm();
     total += trial.measured.squaredNorm();
     total_flexion += trial.measured.head<2>().squaredNorm();
-    // Angles and coverage, where they are defined.
+    // Collect angles and coverage, where they are defined.
     if (trial.predicted.squaredNorm() > 0 && trial.measured.squaredNorm() > 0)
       angles.push_back(direction_error(trial));
     if (trial.sd.minCoeff() <= 0) continue;
@@ -149,7 +150,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   require(total > 0, "all {} measured forces are zero: an error relative to them is not defined",
           trials.size());
 
-  // Ratios of the sums.
+  // Divide the sums.
   ForceError error;
   error.rms = std::sqrt(residual / static_cast<double>(trials.size()));
   error.relative = std::sqrt(residual / total);
@@ -172,26 +173,26 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const ArrowMatrix& C, const Experiment& experiment, int specimen) {
-  // Parameters and plan, with those of postures that the fit does not know.
+  // Plan the trials, with parameters for postures that the fit does not know.
   const Experiment named = with_own_postures(experiment, fitted.experiments());
   const FitParameters parameters = add_posture_errors(fitted.parameters(), named);
   const int known = fitted.parameters().coordinates(), all = parameters.coordinates();
   const TendonDigit digit = fitted.sized_digit(experiment);
   const ExperimentPlan plan = plan_experiment(digit, parameters, named);
 
-  // Displacements of the specimen, or of the population.
+  // Compute the displacements of the specimen, or of the population.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(all);
   u.head(known) = displacements(fitted.coordinates(), z, specimen);
 
-  // Variance of the estimate, of the deviation of an unseen specimen, and of unknown postures.
+  // Add the variances of the estimate, of an unseen specimen's deviation, and of unknown postures.
   const Eigen::MatrixXd J_z = displacement_jacobian(fitted.coordinates(), z, specimen);
   Eigen::MatrixXd V = Eigen::MatrixXd::Zero(all, all);
-  V.topLeftCorner(known, known) = J_z * C.of(specimen) * J_z.transpose();
+  V.topLeftCorner(known, known) = J_z * C.block_entries(specimen) * J_z.transpose();
   if (specimen < 0) V.diagonal().head(known) += unseen_variance(fitted.coordinates());
   for (int c = known; c < all; ++c)
     V(c, c) = std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
 
-  // Mean forces, and their variance with the noise.
+  // Compute mean forces, and their variance with the noise.
   const PredictiveMoments moments = predictive_moments(digit, parameters, plan, u, V);
   const Eigen::VectorXd sd =
       (moments.variance + plan.sd.reshaped().cwiseAbs2().matrix()).cwiseSqrt();

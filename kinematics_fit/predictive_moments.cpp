@@ -12,17 +12,18 @@
 namespace thenar {
 namespace {
 
-/// Forces are linear in these parameters as long as all others stand still. Those of a net are not
-/// linear in tensions.
+/// Returns whether forces are linear in a parameter while all others are constant. Forces of a net
+/// are not linear in tensions.
 bool forces_linear_in(const Parameter& p, const TendonDigit& digit) {
   return (p.kind == ParameterKind::kGain && !digit.net) || p.kind == ParameterKind::kTipForce ||
          p.kind == ParameterKind::kPostureForce;
 }
 
-/// Coordinates by kind: first those in which forces bend, then those in which they are linear.
+/// Coordinates in order: first those in which forces are nonlinear, then those in which they are
+/// linear.
 struct CoordinateOrder {
   std::vector<Eigen::Index> all;
-  Eigen::Index bent = 0;  // number of the first kind
+  Eigen::Index nonlinear = 0;  // number of nonlinear coordinates
 };
 
 CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& digit) {
@@ -31,15 +32,15 @@ CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& dig
     for (int c = 0; c < parameters.coordinates(); ++c)
       if (forces_linear_in(parameters.all[parameters.leader[c]], digit) == linear)
         order.all.push_back(c);
-    if (!linear) order.bent = static_cast<Eigen::Index>(order.all.size());
+    if (!linear) order.nonlinear = static_cast<Eigen::Index>(order.all.size());
   }
   return order;
 }
 
-/// The first `count` columns of the lower triangular L with V = L L'; a column of a coordinate that
-/// others determine is zero.
+/// Returns the first `count` columns of the lower triangular L with V = L L'; the column of a
+/// coordinate that others determine is zero.
 Eigen::MatrixXd first_columns_of_root(const Eigen::MatrixXd& V, Eigen::Index count) {
-  // Share of a variance below which its rest is rounding [1]
+  // Share of a variance below which its remainder is rounding error [1]
   constexpr double kRoundedVarianceShare = 1e-12;
   Eigen::MatrixXd rest = V;
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(V.rows(), count);
@@ -53,13 +54,13 @@ Eigen::MatrixXd first_columns_of_root(const Eigen::MatrixXd& V, Eigen::Index cou
   return L;
 }
 
-/// center + step, each coordinate within the bounds of its parameter.
+/// Returns center + step, with each coordinate clamped to the bounds of its parameter.
 Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::VectorXd& center,
                               const Eigen::VectorXd& step) {
   Eigen::VectorXd u = center + step;
   for (int c = 0; c < parameters.coordinates(); ++c) {
     const Parameter& p = parameters.all[parameters.leader[c]];
-    // A centre beyond its bounds, as of tilts of a specimen, moves no further out.
+    // Extend the bounds to a centre beyond them, as of tilts of a specimen.
     const double lower = std::min(center[c], p.lower - p.mean);
     const double upper = std::max(center[c], p.upper - p.mean);
     u[c] = std::clamp(u[c], lower, upper);
@@ -67,8 +68,8 @@ Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::Vect
   return u;
 }
 
-/// The step, each coordinate shortened so that it stays within the bounds of its parameter to
-/// either side of the centre.
+/// Returns the step with each coordinate shortened to stay within the bounds of its parameter on
+/// both sides of the centre.
 Eigen::VectorXd shortened(const FitParameters& parameters, const Eigen::VectorXd& center,
                           const Eigen::VectorXd& step) {
   const Eigen::VectorXd up = within_bounds(parameters, center, step) - center,
@@ -76,14 +77,15 @@ Eigen::VectorXd shortened(const FitParameters& parameters, const Eigen::VectorXd
   return (up.array().abs() < down.array().abs()).select(up, down);
 }
 
-/// Forces at draws of u ~ N(center, V), each coordinate within its bounds, two draws on either side
-/// of the centre [N] (3 trials, kMomentDraws).
+/// Returns forces at draws of u ~ N(center, V), clamped to the bounds, in antithetic pairs [N] (3
+/// trials, kMomentDraws).
 Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& parameters,
                              const ExperimentPlan& plan, const Eigen::VectorXd& center,
                              const Eigen::MatrixXd& V, const ForceKernel* kernel) {
   const Eigen::MatrixXd root = first_columns_of_root(V, V.cols());
   RandomStream random(1, 0, 0);
   Eigen::MatrixXd u(center.size(), kMomentDraws);
+  // Draw antithetic pairs.
   for (Eigen::Index k = 0; k < u.cols(); k += 2) {
     Eigen::VectorXd z(V.cols());
     for (double& each : z) each = random.normal();
@@ -91,6 +93,7 @@ Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& para
     u.col(k) = within_bounds(parameters, center, step);
     u.col(k + 1) = within_bounds(parameters, center, -step);
   }
+  // Evaluate the forces at all draws.
   if (kernel != nullptr) return kernel->forces(u);
   Eigen::MatrixXd forces(3 * plan.force.cols(), u.cols());
   for (Eigen::Index k = 0; k < u.cols(); ++k)
@@ -121,19 +124,20 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   require(center.size() == n && V.rows() == n && V.cols() == n,
           "{} coordinates have a centre of {} and a covariance of {} x {}", n, center.size(),
           V.rows(), V.cols());
-  // First order: the force at the centre, and its slopes.
+  // Expand to first order: the force at the centre, and its slopes.
   const std::shared_ptr<const ForceKernel> kernel = compile_forces(digit, parameters, plan);
   const ForceJacobian at = force_jacobian(digit, parameters, plan, center, kernel.get());
   PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum(), {}};
 
-  // Second order: how forces bend along each column of the root of V, and how uneven both sides
-  // are.
+  // Add the second order: curvature along each column of the root of V, and the asymmetry of both
+  // sides.
   const CoordinateOrder order = order_of(parameters, digit);
-  const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
+  const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.nonlinear);
   Eigen::VectorXd step(n);
-  const Eigen::VectorXd of_slopes = out.variance;  // [N^2] (3 trials)
-  Eigen::VectorXd uneven = Eigen::VectorXd::Zero(of_slopes.size()), bent = uneven;  // the same
-  for (Eigen::Index k = 0; k < order.bent; ++k) {
+  const Eigen::VectorXd first_order = out.variance;  // variance to first order [N^2] (3 trials)
+  Eigen::VectorXd asymmetry = Eigen::VectorXd::Zero(first_order.size()),
+                  curvature = asymmetry;  // squared asymmetry and curvature [N^2] (3 trials)
+  for (Eigen::Index k = 0; k < order.nonlinear; ++k) {
     if (L(k, k) == 0) continue;
     step(order.all) = L.col(k);
     const Eigen::VectorXd way = shortened(parameters, center, step);
@@ -143,20 +147,21 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
                                force_values(digit, parameters, plan, center - way, kernel.get());
     const Eigen::Matrix3Xd bend = (above + below) / 2 - at.force;
     out.mean += bend;
-    bent += bend.reshaped().cwiseAbs2();
-    uneven += ((above - below).reshaped() / 2 - at.J * way).cwiseAbs2();
+    curvature += bend.reshaped().cwiseAbs2();
+    asymmetry += ((above - below).reshaped() / 2 - at.J * way).cwiseAbs2();
   }
 
-  out.variance += 2 * bent;
+  out.variance += 2 * curvature;
 
-  // Trials that the expansion does not tell.
+  // Find trials for which the expansion is not accurate.
   const auto trials = out.mean.cols();
   for (Eigen::Index i = 0; i < trials; ++i) {
-    const double slopes = of_slopes.segment<3>(3 * i).sum();
+    const double slopes = first_order.segment<3>(3 * i).sum();
     out.by_draws.push_back(
-        !(uneven.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
-          bent.segment<3>(3 * i).sum() <= slopes));
+        !(asymmetry.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
+          curvature.segment<3>(3 * i).sum() <= slopes));
   }
+  // Replace their moments by those of draws.
   if (!contains(out.by_draws, true)) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
   for (Eigen::Index row = 0; row < 3 * trials; ++row) {

@@ -9,16 +9,16 @@
 namespace thenar {
 namespace {
 
-/// Refits from the estimate to one end of the grid, each point starting at the last.
-void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
-          const ProfileOptions& options, Profile& profile) {
-  // Length below which a side is not walked: the estimate is on its bound [prior sds]
+/// Refits at points from the estimate to one end of the grid, each starting from the last.
+void refit_side(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
+                const ProfileOptions& options, Profile& profile) {
+  // Length below which a side is skipped, as the estimate is on its bound [prior sds]
   constexpr double kMinSideLength = 1e-6;
   if (std::abs(end - z[i]) < kMinSideLength) return;
   LeastSquares held = problem;
   Eigen::VectorXd start = z;
   for (int k = 1; k <= options.steps && !options.solver.progress.stop(); ++k) {
-    // The coordinate is held by equal bounds; the others start where they were.
+    // Fix the coordinate by equal bounds; start the others at the last solution.
     const double value = z[i] + (end - z[i]) * k / options.steps;
     held.lower[i] = held.upper[i] = value;
     const Solution fit = solve(held, start, options.solver);
@@ -28,13 +28,14 @@ void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double e
   }
 }
 
-/// Lowest value of a sampled curve: the vertex of the parabola through the lowest three points.
-double least(const std::vector<double>& x, const std::vector<double>& y) {
-  // Without a neighbour on both sides, the lowest point itself.
+/// Returns the minimum of a sampled curve: the vertex of the parabola through the lowest three
+/// points.
+double min_value(const std::vector<double>& x, const std::vector<double>& y) {
+  // Take the lowest point if it lacks a neighbour on one side.
   const auto at = std::min_element(y.begin(), y.end()) - y.begin();
   const auto k = static_cast<std::size_t>(at);
   if (k == 0 || k + 1 == y.size()) return y[k];
-  // Slopes to both neighbours, and the vertex of the parabola.
+  // Compute the slopes to both neighbours, and the vertex of the parabola.
   const double left = (y[k] - y[k - 1]) / (x[k] - x[k - 1]);
   const double right = (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
   const double curvature = (right - left) / (x[k + 1] - x[k - 1]);
@@ -43,16 +44,17 @@ double least(const std::vector<double>& x, const std::vector<double>& y) {
   return y[k] - slope * slope / (4 * curvature);
 }
 
-/// First crossing of `rise` outwards from the lowest point; a parabola's root rises linearly.
+/// Returns the first crossing of `rise` outwards from the lowest point, linear in the root of the
+/// rise.
 std::optional<double> crossing(const std::vector<double>& x, const std::vector<double>& rises,
                                double rise, int direction) {
-  // Outwards, to the first point beyond the wanted rise.
+  // Search outwards for the first point beyond the wanted rise.
   const auto lowest = std::min_element(rises.begin(), rises.end()) - rises.begin();
   const auto size = static_cast<std::ptrdiff_t>(rises.size());
   for (auto k = lowest + direction; k >= 0 && k < size; k += direction) {
     const auto outer = static_cast<std::size_t>(k), inner = static_cast<std::size_t>(k - direction);
     if (rises[outer] < rise) continue;
-    // Around the lowest point the root changes its sign with the side of the vertex.
+    // Choose the sign of the root, which changes at the vertex, next to the lowest point.
     double a = std::sqrt(std::max(0.0, rises[inner]));
     const double b = std::sqrt(rises[outer]);
     const auto beyond = k - 2 * direction;
@@ -62,7 +64,7 @@ std::optional<double> crossing(const std::vector<double>& x, const std::vector<d
       const double other = (b + a) / (x[outer] - x[inner]) - (c - a) / (x[inner] - x[beyond]);
       if (std::abs(other) < std::abs(same)) a = -a;
     }
-    // Linear in the root of the rise: exact for a parabola.
+    // Interpolate linearly in the root of the rise: exact for a parabola.
     return x[inner] + (x[outer] - x[inner]) * (std::sqrt(rise) - a) / (b - a);
   }
   return {};
@@ -72,31 +74,33 @@ std::optional<double> crossing(const std::vector<double>& x, const std::vector<d
 
 Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z, int i,
                            const ProfileOptions& options) {
-  // Costs on a grid to both sides of the estimate.
+  // Compute the costs on a grid to both sides of the estimate.
   require(i >= 0 && i < z.size(), "no coordinate {}: there are {}", i, z.size());
   Profile profile;
   profile.points.push_back(
       {z[i], 0.5 * problem.residuals(z, WithJacobian::kNo).r.squaredNorm(), 0, 0});
-  walk(problem, z, i, std::max(problem.lower[i], z[i] - options.half_width), options, profile);
-  walk(problem, z, i, std::min(problem.upper[i], z[i] + options.half_width), options, profile);
+  refit_side(problem, z, i, std::max(problem.lower[i], z[i] - options.half_width), options,
+             profile);
+  refit_side(problem, z, i, std::min(problem.upper[i], z[i] + options.half_width), options,
+             profile);
   std::sort(profile.points.begin(), profile.points.end(),
             [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; });
 
-  // Rises above the least cost, with and without the coordinate's own prior.
+  // Compute rises above the minimum, with and without the coordinate's own prior.
   std::vector<double> x, cost, without_own_prior;
   for (const ProfilePoint& point : profile.points) {
     x.push_back(point.z);
     cost.push_back(point.cost);
     without_own_prior.push_back(point.cost - 0.5 * point.z * point.z);
   }
-  const double base = least(x, cost), own_free_base = least(x, without_own_prior);
+  const double base = min_value(x, cost), own_free_base = min_value(x, without_own_prior);
   for (std::size_t k = 0; k < x.size(); ++k) {
     cost[k] = profile.points[k].rise = cost[k] - base;
     without_own_prior[k] = profile.points[k].without_own_prior =
         without_own_prior[k] - own_free_base;
   }
 
-  // Where they cross the limit.
+  // Find where the rises cross the limit.
   profile.bounds = {crossing(x, cost, options.rise, -1), crossing(x, cost, options.rise, 1)};
   profile.without_own_prior = {crossing(x, without_own_prior, options.rise, -1),
                                crossing(x, without_own_prior, options.rise, 1)};

@@ -11,42 +11,44 @@ namespace {
 /// Bounds of the deviation of one specimen, in its sds.
 struct DeviationBounds {
   double lower, upper;  // [1]
-  bool far;             // no mass lies beyond them
+  bool far;             // true if no probability mass lies beyond them
 };
 
-DeviationBounds deviation_bounds(const CoordinateEntries& of, double population, double sd) {
-  // Distance beyond which 1e-19 of a normal distribution lies [sds]
+DeviationBounds deviation_bounds(const CoordinateEntries& coordinate, double population,
+                                 double sd) {
+  // Distance beyond which a normal distribution has a mass of 1e-19 [sds]
   constexpr double kFarBoundDistance = 9;
-  // Rounding may leave the population a last bit outside.
-  const double lower = std::min(0.0, (of.lower - population) / sd);
-  const double upper = std::max(0.0, (of.upper - population) / sd);
+  // Keep 0 inside: rounding may leave the population slightly out of bounds.
+  const double lower = std::min(0.0, (coordinate.lower - population) / sd);
+  const double upper = std::max(0.0, (coordinate.upper - population) / sd);
   return {lower, upper, lower < -kFarBoundDistance && upper > kFarBoundDistance};
 }
 
 }  // namespace
 
-SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double population, double x,
-                                     double factor) {
-  // Far bounds leave the deviation normal; bounds without room between them leave none.
-  const double sd = factor * of.deviation_sd;
-  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+SpecimenDeviation specimen_deviation(const CoordinateEntries& coordinate, double population,
+                                     double x, double factor) {
+  // Return a normal deviation for far bounds, and none for an empty interval.
+  const double sd = factor * coordinate.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(coordinate, population, sd);
   if (bounds.far) return {sd * x, sd, 0, sd * x};
   if (!(bounds.lower < bounds.upper)) return {0, 0, 0, 0};
 
-  // Map of the truncated normal; both bounds move against the population.
+  // Map x by the truncated normal; both bounds move against the population.
   const BoundedNormal::Image image = BoundedNormal(bounds.lower, bounds.upper).at(x);
   SpecimenDeviation out{sd * image.z, sd * image.by_x, -(image.by_lower + image.by_upper),
                         sd * image.z};
-  // A larger sd brings both bounds nearer, counted in sds.
+  // Add the effect of the sd on the bounds, which are in units of it.
   if (std::isfinite(bounds.lower)) out.by_log_factor -= sd * image.by_lower * bounds.lower;
   if (std::isfinite(bounds.upper)) out.by_log_factor -= sd * image.by_upper * bounds.upper;
   return out;
 }
 
-double deviation_entry(const CoordinateEntries& of, double population, double u, double factor) {
-  constexpr double kBoundMargin = 1e-12;  // Margin to a bound, on which x is infinite [sds]
-  const double sd = factor * of.deviation_sd;
-  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+double deviation_entry(const CoordinateEntries& coordinate, double population, double u,
+                       double factor) {
+  constexpr double kBoundMargin = 1e-12;  // margin to a bound, at which x is infinite [sds]
+  const double sd = factor * coordinate.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(coordinate, population, sd);
   if (bounds.far) return u / sd;
   if (!(bounds.lower < bounds.upper)) return 0;
   return BoundedNormal(bounds.lower, bounds.upper).inverse(u / sd, kBoundMargin);
@@ -58,18 +60,18 @@ CoordinateMotion coordinate_motion(const FitCoordinates& coordinates, const Eige
   CoordinateMotion out{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                        Eigen::VectorXd::Zero(n)};
   for (int c = 0; c < n; ++c) {
-    // The population's displacement, which all specimens share.
-    const CoordinateEntries& of = coordinates.entries(c);
+    // Scale the population's displacement, which all specimens share.
+    const CoordinateEntries& coordinate = coordinates.entries(c);
     const double share = specimen < 0 ? coordinates.population_share(c) : 1;
-    if (of.population >= 0) {
-      out.by_population[c] = share * of.population_sd;
-      out.u[c] = out.by_population[c] * z[of.population];
+    if (coordinate.population >= 0) {
+      out.by_population[c] = share * coordinate.population_sd;
+      out.u[c] = out.by_population[c] * z[coordinate.population];
     }
-    if (of.deviation < 0 || specimen < 0) continue;
+    if (coordinate.deviation < 0 || specimen < 0) continue;
 
-    // The specimen's own deviation, within the bounds of the sum.
-    const double x = z[of.deviation + specimen * coordinates.deviations()];
-    const SpecimenDeviation own = specimen_deviation(of, out.u[c], x);
+    // Add the specimen's own deviation, within the bounds of the sum.
+    const double x = z[coordinate.deviation + specimen * coordinates.deviations()];
+    const SpecimenDeviation own = specimen_deviation(coordinate, out.u[c], x);
     out.u[c] += own.u;
     out.by_population[c] *= 1 + own.by_population;
     out.by_deviation[c] = own.by_x;
@@ -84,15 +86,15 @@ Eigen::VectorXd displacements(const FitCoordinates& coordinates, const Eigen::Ve
 
 Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates, const Eigen::VectorXd& z,
                                       int specimen) {
-  // Two columns at most are not zero in each row.
+  // Fill in the two columns at most that are not zero in each row.
   const CoordinateMotion at = coordinate_motion(coordinates, z, specimen);
   const int n = coordinates.parameters().coordinates();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(
       n, coordinates.population_entries() + (specimen < 0 ? 0 : coordinates.deviations()));
   for (int c = 0; c < n; ++c) {
-    const CoordinateEntries& of = coordinates.entries(c);
-    if (of.population >= 0) J(c, of.population) = at.by_population[c];
-    if (of.deviation >= 0 && specimen >= 0) J(c, of.deviation) = at.by_deviation[c];
+    const CoordinateEntries& coordinate = coordinates.entries(c);
+    if (coordinate.population >= 0) J(c, coordinate.population) = at.by_population[c];
+    if (coordinate.deviation >= 0 && specimen >= 0) J(c, coordinate.deviation) = at.by_deviation[c];
   }
   return J;
 }
@@ -102,7 +104,7 @@ Eigen::VectorXd unseen_variance(const FitCoordinates& coordinates) {
   Eigen::VectorXd variance(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
     const Parameter& p = parameters.all[parameters.leader[c]];
-    // Given the sum of two normals, each still varies by share (1 - share) of its variance.
+    // Add what a sum of two normals leaves of each: share (1 - share) of its variance.
     const double share = coordinates.population_share(c);
     const double unsaid = share * (1 - share) * std::pow(coordinates.entries(c).population_sd, 2);
     variance[c] = unsaid + std::pow(p.between_sd, 2);

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// Tensions of the muscles that pull [N].
+/// Returns the tensions of the muscles that pull [N].
 std::map<std::string, double> pulls_of(const Trial& trial) {
   std::map<std::string, double> pulls;
   for (const auto& [muscle, tension] : trial.tension)
@@ -26,7 +26,7 @@ double total(const std::map<std::string, double>& pulls) {
 
 /// Returns whether the same muscles pull in the same proportion.
 bool same_loads(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
-  // Largest relative difference of each muscle's share in equal loads [1]
+  // Largest relative difference of a muscle's share in equal loads [1]
   constexpr double kEqualShareTolerance = 0.1;
   if (a.size() != b.size() || a.empty()) return false;
   const double total_a = total(a), total_b = total(b);
@@ -48,8 +48,8 @@ struct MeanForce {
   }
 };
 
-/// The sum of predictions of each load alone; empty if one of them is missing, or there is only
-/// one.
+/// Returns the sum of the predictions for each load on its own; empty if one of them is missing, or
+/// if there is only one load.
 template <typename Alone>
 std::optional<Eigen::Vector3d> sum_of_loads(const Trial& trial, const Alone& alone) {
   const std::map<std::string, double> pulls = pulls_of(trial);
@@ -65,12 +65,12 @@ std::optional<Eigen::Vector3d> sum_of_loads(const Trial& trial, const Alone& alo
   return sum;
 }
 
-/// Force of the same loads, for each way of being like the trial.
+/// Means of forces under the same loads, by posture and specimen.
 struct MeansOfLoads {
-  MeanForce here;  // in the same posture, of all specimens
-  MeanForce self;  // in the same posture, of the same specimen
-  MeanForce own;   // in any posture, of the same specimen
-  MeanForce all;   // in any posture, of all specimens
+  MeanForce in_posture;      // same posture, all specimens
+  MeanForce own_in_posture;  // same posture, same specimen
+  MeanForce own;             // any posture, same specimen
+  MeanForce all;             // any posture, all specimens
 };
 
 MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
@@ -80,6 +80,7 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
   MeansOfLoads means;
   for (const Experiment& other : seen) {
     if (other.components < experiment.components || other.digit != experiment.digit) continue;
+    // Add the trials of equal loads, per tension and in axes of the digit.
     for (const Trial& row : other.trials) {
       const std::map<std::string, double> others = pulls_of(row);
       if (!same_loads(pulls, others) || !(row.site == trial.site)) continue;
@@ -87,8 +88,8 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
           other.axes_of_digit.cast<double>().transpose() * row.force / total(others);
       const bool here = same_posture(posture, find_posture(other, row.posture));
       const bool self = other.specimen == experiment.specimen;
-      if (here) means.here.add(force);
-      if (here && self) means.self.add(force);
+      if (here) means.in_posture.add(force);
+      if (here && self) means.own_in_posture.add(force);
       if (self) means.own.add(force);
       means.all.add(force);
     }
@@ -96,7 +97,8 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
   return means;
 }
 
-/// A mean in the axes of the experiment, under the loads of the trial; empty if it is of nothing.
+/// Returns a mean in the axes of the experiment, under the loads of the trial; empty if it has no
+/// trial.
 std::optional<Eigen::Vector3d> under_load(const MeanForce& mean, const Experiment& experiment,
                                           const Trial& trial) {
   if (mean.count == 0) return std::nullopt;
@@ -107,9 +109,9 @@ std::optional<Eigen::Vector3d> under_load(const MeanForce& mean, const Experimen
 
 std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const Trial& trial,
                                              const std::vector<Experiment>& seen) {
-  // The nearest mean that there is.
+  // Return the closest mean available, else the sum of single loads.
   const MeansOfLoads means = means_of(experiment, trial, seen);
-  for (const MeanForce& mean : {means.here, means.own, means.all})
+  for (const MeanForce& mean : {means.in_posture, means.own, means.all})
     if (const auto force = under_load(mean, experiment, trial)) return force;
   return sum_of_loads(trial,
                       [&](const Trial& single) { return trivial_force(experiment, single, seen); });
@@ -118,7 +120,7 @@ std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const
 std::optional<Eigen::Vector3d> superposed_force(const Experiment& experiment, const Trial& trial,
                                                 const std::vector<Experiment>& seen) {
   return sum_of_loads(trial, [&](const Trial& single) {
-    return under_load(means_of(experiment, single, seen).self, experiment, single);
+    return under_load(means_of(experiment, single, seen).own_in_posture, experiment, single);
   });
 }
 
@@ -141,16 +143,17 @@ std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction) {
   std::vector<ErrorsOfLoad> out;
   for (const PredictedTrial& trial : prediction.trials) {
     if (!trial.trivial) continue;
-    // The load's sums, begun with its first trial.
-    auto of = std::find_if(out.begin(), out.end(),
-                           [&](const ErrorsOfLoad& one) { return one.loads == trial.loads; });
+    // Find the sums of this load, or begin them with its first trial.
+    auto load = std::find_if(out.begin(), out.end(),
+                             [&](const ErrorsOfLoad& one) { return one.loads == trial.loads; });
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    if (of == out.end()) of = out.insert(of, {trial.loads, 0, zero, zero, zero});
-    ++of->trials;
-    of->measured += trial.measured.cwiseAbs2();
-    of->model += (trial.predicted - trial.measured).cwiseAbs2();
-    of->trivial += (*trial.trivial - trial.measured).cwiseAbs2();
+    if (load == out.end()) load = out.insert(load, {trial.loads, 0, zero, zero, zero});
+    ++load->trials;
+    load->measured += trial.measured.cwiseAbs2();
+    load->model += (trial.predicted - trial.measured).cwiseAbs2();
+    load->trivial += (*trial.trivial - trial.measured).cwiseAbs2();
   }
+  // Convert sums of squares to RMS values.
   for (ErrorsOfLoad& one : out)
     for (Eigen::Vector3d* sum : {&one.measured, &one.model, &one.trivial})
       *sum = (*sum / one.trials).cwiseSqrt();

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The trivial prediction of a fingertip force, without a model: the mean of what others measured
-/// under the same load. A model that does no better has learnt nothing about strangers.
+/// Trivial prediction of a fingertip force, without a model: the mean of measurements by others
+/// under the same load. It is the baseline for predictions of unseen specimens.
 
 #include <optional>
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace thenar {
 
-/// Mean force per tension of the same row of others, times the tension of this trial, in the axes
-/// of its experiment [N] (3). A row is the same where the same muscles pull, in the same proportion
-/// within 10 %, at the same joint angles within 2 degrees. Where nobody has measured this posture,
-/// it is the mean over other postures: those of the same specimen, or else of all. Where nobody has
-/// loaded these muscles together, it is the sum of such means, one for each muscle alone.
-/// @param seen  experiments that the prediction may know; `experiment` itself only without the
+/// Predicts the force of a trial as the mean force per tension in equal rows of others, times the
+/// tension of this trial, in the axes of its experiment [N] (3). Rows are equal if the same muscles
+/// pull, in the same proportion within 10 %, at the same joint angles within 2 degrees. If this
+/// posture was not measured, the mean is over other postures: those of the same specimen, or else
+/// of all. If these muscles were not loaded together, it is the sum of such means, one per muscle.
+/// @param seen  experiments available to the prediction; may include `experiment`, but without the
 /// trial
-/// @return empty if nobody measured such a load, or measured fewer components of it
+/// @return nothing if no such load was measured, or only with fewer components
 [[nodiscard]] std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment,
                                                            const Trial& trial,
                                                            const std::vector<Experiment>& seen);
 
-/// Superposition: the sum of the forces that the same specimen showed in this posture under each of
-/// the loads alone, each in proportion to its tension, in the axes of the experiment [N] (3). A
-/// linear model can do no better; what it errs by is the nonlinearity of the specimen and noise.
-/// @return empty unless several muscles pull and each was measured alone
+/// Predicts by superposition: the sum of the forces of the same specimen in this posture under each
+/// of the loads alone, each in proportion to its tension, in the axes of the experiment [N] (3). A
+/// linear model cannot do better; the remaining error is the specimen's nonlinearity and noise.
+/// @return nothing unless several muscles pull and each was measured alone
 [[nodiscard]] std::optional<Eigen::Vector3d> superposed_force(const Experiment& experiment,
                                                               const Trial& trial,
                                                               const std::vector<Experiment>& seen);
@@ -35,29 +35,30 @@ namespace thenar {
 /// Errors of the model and of the trivial prediction, over the trials that have one.
 struct BesideTrivial {
   ForceError model;
-  ForceError trivial;  // without intervals
+  ForceError trivial;  // without predictive intervals
 };
 
-/// @return empty if no trial has a trivial prediction, or all those measured forces are zero
+/// Compares the errors.
+/// @return nothing if no trial has a trivial prediction, or all their measured forces are zero
 [[nodiscard]] std::optional<BesideTrivial> beside_trivial(const Prediction& prediction);
 
-/// Root mean squares over the trials of one load, component by component.
+/// Root mean squares over the trials of one load, by component.
 struct ErrorsOfLoad {
   std::string loads;         // "FDS" or "FDS+EDC"
-  int trials = 0;            // [1]
-  Eigen::Vector3d measured;  // [N] (3)
-  Eigen::Vector3d model;     // of predicted - measured [N] (3)
-  Eigen::Vector3d trivial;   // the same of the trivial prediction [N] (3)
+  int trials = 0;            // number of trials [1]
+  Eigen::Vector3d measured;  // rms of the measured force [N] (3)
+  Eigen::Vector3d model;     // rms error of the model [N] (3)
+  Eigen::Vector3d trivial;   // rms error of the trivial prediction [N] (3)
 };
 
-/// Computes the errors of every load that has a trivial prediction, over the trials that have one,
-/// in the order of the trials.
+/// Computes the errors of every load with a trivial prediction, over the trials that have one, in
+/// the order of the trials.
 [[nodiscard]] std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction);
 
 /// Prediction of an experiment by a baseline without a fit.
 struct BaselinePrediction {
   std::string name;
-  std::string data_seen;  // the data that it has used
+  std::string data_seen;  // description of the data that it used
   Prediction prediction;
 };
 
@@ -67,7 +68,7 @@ struct BaselinePrediction {
                                               const Experiment& experiment);
 
 /// Predicts every trial by the mean of the trials with the same loads in other postures, a baseline
-/// without any model. Trials without such others are left out.
+/// without a model. Trials without such others are left out.
 [[nodiscard]] Prediction mean_of_other_postures(const Experiment& experiment);
 
 }  // namespace thenar

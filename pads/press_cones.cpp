@@ -138,7 +138,7 @@ PressOutcome press_by_cones(PressIterate& iterate) {
     last_dx = solution.dx;
     if (iterate.goal.force || !creeps || residual > kMixingShare * iterate.total_force)
       mixing.clear();
-    dx = mixing.next(solution.dx);
+    dx = mixing.next_step(solution.dx);
     // Predict the pressure and the contact forces after the motion.
     iterate.state.pressure =
         iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));

@@ -6,10 +6,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kTableReach = 8.5;  // Half width of the table's range, about 0 [1]
-constexpr int kCellsPerUnit = 64;    // Cells per unit
+constexpr double kTableReach = 8.5;  // half width of the table's range about 0 [1]
+constexpr int kCellsPerUnit = 64;    // number of cells per unit of x
 constexpr int kCellCount = static_cast<int>(2 * kTableReach * kCellsPerUnit);
 
+/// Returns the cells of a table.
 internal::PiecewisePolynomial cells(const std::vector<double>& coefficients) {
   return {coefficients.data(), -kTableReach, kCellsPerUnit, kTableReach};
 }
@@ -17,8 +18,8 @@ internal::PiecewisePolynomial cells(const std::vector<double>& coefficients) {
 }  // namespace
 
 BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
-  constexpr double kCellWidth = 1.0 / kCellsPerUnit;  // Width of a cell [1]
-  // z, z' = Z phi(x) / phi(z) and z'' = z' (z z' - x) where cells meet, by cell widths.
+  constexpr double kCellWidth = 1.0 / kCellsPerUnit;  // width of a cell [1]
+  // z, z' = Z phi(x) / phi(z) and z'' = z' (z z' - x) at the ends of the cells, in cell widths.
   const auto node = [&](int i) -> std::array<double, 3> {
     const double x = -kTableReach + i * kCellWidth;
     const BoundedNormal::Image at = exact.at(x);
@@ -26,20 +27,20 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
   };
   std::array<double, 3> a = node(0);
   for (int i = 0; i < kCellCount; ++i) {
-    // The next node ends this cell.
+    // Compute the far end of this cell.
     const std::array<double, 3> b = node(i + 1);
-    // What is left of the far end for the terms of degree 3 to 5.
+    // Residuals at the far end determine the terms of degree 3 to 5.
     const double p = b[0] - a[0] - a[1] - a[2] / 2, q = b[1] - a[1] - a[2], r = b[2] - a[2];
     for (const double c :
          {a[0], a[1], a[2] / 2, 10 * p - 4 * q + r / 2, -15 * p + 7 * q - r, 6 * p - 3 * q + r / 2})
       coefficients_.push_back(c);
     a = b;
   }
-  // The last node itself begins a cell of which nothing else is used.
+  // Append a constant cell for the last node.
   for (const double c : {a[0], a[1], a[2] / 2, 0.0, 0.0, 0.0}) coefficients_.push_back(c);
 }
 
-void BoundedTable::at_block(const double* x, double scale, double* y, double* by_x) const {
+void BoundedTable::evaluate_block(const double* x, double scale, double* y, double* by_x) const {
   internal::map_block(cells(coefficients_), x, scale, y, by_x);
   for (int k = 0; k < internal::kBlockPoints; ++k) {
     if (std::abs(x[k]) <= kTableReach) continue;
@@ -49,17 +50,17 @@ void BoundedTable::at_block(const double* x, double scale, double* y, double* by
   }
 }
 
-BoundedTable::Image BoundedTable::at(double x) const {
+BoundedTable::Image BoundedTable::evaluate(double x) const {
   std::array<double, internal::kBlockPoints> same, z, by_x;
   same.fill(x);
-  at_block(same.data(), 1, z.data(), by_x.data());
+  evaluate_block(same.data(), 1, z.data(), by_x.data());
   return {z[0], by_x[0]};
 }
 
 double BoundedTable::inverse(double z) const {
   const double start = exact_.inverse(z);
-  // Newton, once: the table is off by its error alone.
-  const Image near = at(start);
+  // One Newton step corrects the error of the table.
+  const Image near = evaluate(start);
   return near.by_x > 0 ? start + (exact_.at(start).z - near.z) / near.by_x : start;
 }
 

@@ -13,6 +13,7 @@ namespace {
 // Purposes of random streams.
 constexpr std::uint32_t kSearchStream = 0x6d6f6465, kDispersedStream = 0x73746172;
 
+/// Checks the ranges of the options.
 void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& search) {
   require(search.starts >= 0, "starts must be >= 0, got {}", search.starts);
   require(search.global_searches >= 0, "global searches must be >= 0, got {}",
@@ -26,15 +27,15 @@ void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& sea
           problem.lower.size());
 }
 
-/// Standard normal entries, those outside their bounds drawn again or else set on them.
+/// Draws standard normal entries; those outside their bounds are drawn again and finally clipped.
 Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions& search,
                            int number) {
-  constexpr int kMaxEntryTrials = 20;  // Most trials of an entry within its bounds
-  // Each search has a stream of its own.
+  constexpr int kMaxEntryTrials = 20;  // maximum number of draws of an entry
+  // Use a separate stream for each search.
   RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
   Eigen::VectorXd z(problem.lower.size());
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    // Drawn again while outside, at last put on the bound.
+    // Draw again while the entry is outside its bounds.
     for (int trial = 0; trial < kMaxEntryTrials; ++trial) {
       z[i] = search.start_sd * random.normal();
       if (z[i] >= problem.lower[i] && z[i] <= problem.upper[i]) break;
@@ -42,14 +43,14 @@ Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions&
   return z.cwiseMax(problem.lower).cwiseMin(problem.upper);
 }
 
-/// One search, or why there was none.
+/// Runs one search, or returns the reason why it failed.
 Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
                      const SolveOptions& options) {
-  // Solve where the residuals are finite at the start.
+  // Search if the residuals are finite at the start.
   const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   if (problem.residuals(inside, WithJacobian::kNo).r.allFinite())
     return solve(problem, inside, options);
-  // A failed search, for the record.
+  // Record a failed search.
   Solution none;
   none.z = inside;
   none.cost = std::numeric_limits<double>::infinity();
@@ -59,9 +60,9 @@ Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
   return none;
 }
 
-/// A global search, polished.
+/// Runs a global search, polished by the local solver.
 Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& search, int number) {
-  // Without derivatives, over all of the bounds.
+  // Search within the bounds without derivatives.
   SolveOptions global;
   global.method = LeastSquaresMethod::kNloptGlobal;
   global.seed = search.seed + static_cast<unsigned>(number);
@@ -69,14 +70,16 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
   Solution rough =
       search_from(problem, prior_draw(problem, search, search.starts + number), global);
   if (!std::isfinite(rough.cost) || rough.status == Status::kStopped) return rough;
+  // Polish the result.
   Solution fine = search_from(problem, rough.z, search.polish);
   fine.evaluations += rough.evaluations;
   fine.seconds += rough.seconds;
   return fine;
 }
 
+/// Runs all searches until a stop is requested.
 void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
-  // Given starts first, then draws from the prior, then global searches.
+  // Given starts come first, then draws from the prior, then global searches.
   const int given = static_cast<int>(search.extra_starts.cols());
   const int total = given + search.starts + search.global_searches;
   for (int i = 0; i < total; ++i) {
@@ -93,15 +96,16 @@ void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, 
   }
 }
 
-/// Gathers the ends of all searches, the best first.
+/// Merges the end points of all searches to modes, best first.
 void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
-  // Searches by rising cost.
+  // Sort the searches by cost.
   std::vector<int> order(found.searches.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return found.searches[a].cost < found.searches[b].cost; });
 
-  // Each end joins the first mode that data cannot tell it from, or founds one.
+  // Assign each end point to the first mode that the data cannot distinguish from it, or to a new
+  // one.
   found.mode_of_search.assign(order.size(), -1);
   for (const int i : order) {
     const Solution& end = found.searches[i];
@@ -112,7 +116,7 @@ void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundM
             found.modes[m].curvature->squared_norm(end.z - found.modes[m].z) >=
                 search.same_distance * search.same_distance))
       ++m;
-    // A new mode, with the logarithm of its Laplace mass.
+    // Add a mode, with the logarithm of its Laplace mass.
     if (m == found.modes.size()) {
       found.modes.push_back({end.z, end.cost, ModeCurvature(problem, end.z), 0, 0, end.status});
       Mode& mode = found.modes.back();
@@ -123,7 +127,7 @@ void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundM
   }
 }
 
-/// Logarithms of masses become shares.
+/// Converts logarithms of masses to shares.
 void share_mass(std::vector<Mode>& modes) {
   double top = -std::numeric_limits<double>::infinity(), sum = 0;
   for (const Mode& mode : modes) top = std::max(top, mode.laplace_mass);
@@ -131,15 +135,16 @@ void share_mass(std::vector<Mode>& modes) {
   for (Mode& mode : modes) mode.laplace_mass /= sum;
 }
 
+/// Share of the starts that a mode receives.
 struct Share {
   std::size_t mode;
-  double share;  // of the starts
+  double share;  // 0..1 [1]
 };
 
-/// Modes that a run could ever visit, and how many starts each gets.
+/// Returns the modes that a run can be expected to visit, with their shares of the starts.
 std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
-  // Half by mass, half evenly.
-  constexpr double kMinMass = 1e-6;
+  // Distribute half by mass, half evenly.
+  constexpr double kMinMass = 1e-6;  // smallest Laplace mass of a mode that gets starts [1]
   std::vector<Share> shares;
   for (std::size_t m = 0; m < modes.size(); ++m)
     if (modes[m].laplace_mass >= kMinMass) shares.push_back({m, modes[m].laplace_mass});
@@ -149,10 +154,10 @@ std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
   return shares;
 }
 
-/// Brings z within bounds, as in a mirror, and a little off them.
+/// Reflects z at its bounds, and keeps a distance from them.
 double reflected(double z, double lower, double upper) {
   if (lower >= upper) return lower;
-  // Distance to keep from a bound: a share of a finite range [1], else [prior sds]
+  // Distance from a bound: a share of a finite range [1], otherwise [prior sds]
   constexpr double kBoundDistance = 0.01;
   const double off =
       std::isfinite(upper - lower) ? kBoundDistance * (upper - lower) : kBoundDistance;
@@ -183,16 +188,16 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   const Eigen::Index n = modes[0].z.size();
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {
-    // Multiples of the golden section fill 0..1 evenly, however many of them there are.
+    // Multiples of the golden ratio are evenly distributed over 0..1 for any count.
     constexpr double kGoldenSection = 0.6180339887498949;
     double left = std::fmod((k + 0.5) * kGoldenSection, 1.0);
     std::size_t m = 0;
     while (m + 1 < shares.size() && left >= shares[m].share) left -= shares[m++].share;
-    // A normal draw about the mode, brought back within bounds.
+    // Draw a normal deviation from the mode, and reflect it at the bounds.
     RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
     const Mode& mode = modes[shares[m].mode];
     const Eigen::VectorXd normal = Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
-    const Eigen::VectorXd z = mode.z + inflation * mode.curvature->spread(normal);
+    const Eigen::VectorXd z = mode.z + inflation * mode.curvature->transform_normal(normal);
     for (Eigen::Index i = 0; i < n; ++i)
       starts(i, k) = reflected(z[i], problem.lower[i], problem.upper[i]);
   }

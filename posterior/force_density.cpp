@@ -33,7 +33,7 @@ TaskDensity task_density(const ForceNoise& model, const Eigen::Ref<const Eigen::
                          const std::vector<MuscleTension>& pulls, const Eigen::Vector3d& force,
                          const Eigen::Vector3d& sd, double noise) {
   // Residual r and covariance S, with the tensions integrated out. A component that is not fitted
-  // has residual 0 and variance 1, and adds nothing.
+  // gets residual 0 and variance 1, so that it does not contribute.
   const Eigen::Vector3d known = sd.array().isFinite().select(sd, 0.0);
   Eigen::Vector3d r = force;
   Eigen::Matrix3d S = (noise * known).cwiseAbs2().asDiagonal();
@@ -45,7 +45,7 @@ TaskDensity task_density(const ForceNoise& model, const Eigen::Ref<const Eigen::
     S += a * pulls[j].variance * a.transpose();
   }
 
-  // Log density by the Cholesky factor of S.
+  // Compute the log density from the Cholesky factor of S.
   const Eigen::LLT<Eigen::Matrix3d> llt(S);
   const Eigen::Matrix3d P = llt.solve(Eigen::Matrix3d::Identity());
   const Eigen::Vector3d p = P * r;

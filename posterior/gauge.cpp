@@ -7,7 +7,7 @@
 namespace thenar {
 namespace {
 
-/// Index of a parameter; -1 if the digit has none such.
+/// Returns the index of a parameter; -1 if the digit has none of this kind.
 int find_parameter(const FitParameters& parameters, ParameterKind kind, int item, int component) {
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& one = parameters.all[p];
@@ -17,15 +17,15 @@ int find_parameter(const FitParameters& parameters, ParameterKind kind, int item
   return -1;
 }
 
-/// The coordinate that moves this parameter and no other; -1 if there is none.
+/// Returns the coordinate that moves this parameter and no other; -1 if there is none.
 int own_coordinate(const FitParameters& parameters, int parameter) {
   const int c = parameters.coordinate[parameter];
   const auto users = std::count(parameters.coordinate.begin(), parameters.coordinate.end(), c);
   return c >= 0 && users == 1 ? c : -1;
 }
 
-/// Can a coordinate take up shifts along a tilted axis? It must move wherever the shift does, and
-/// differ between specimens where their tilts do.
+/// Returns whether a point's coordinate can compensate for shifts along a tilted axis: it must move
+/// wherever the shift does, and differ between specimens if their tilts do.
 bool takes_up(const FitProblem& problem, int point, int along, int tilt) {
   if (point < 0) return false;
   const CoordinateEntries &a = problem.coordinates().entries(along),
@@ -35,20 +35,22 @@ bool takes_up(const FitProblem& problem, int point, int along, int tilt) {
   return (a.population < 0 || b.population >= 0) && (!differ || b.deviation >= 0);
 }
 
+/// Returns the value of a tilt [rad].
 double tilt(const FitParameters& parameters, int parameter, const Eigen::VectorXd& u) {
   const int c = parameters.coordinate[parameter];
   return parameters.all[parameter].mean + (c < 0 ? 0 : parameters.ratio[parameter] * u[c]);
 }
 
-/// Displacements of kPopulation or a specimen, before the share of the former is taken.
+/// Returns displacements of kPopulation or a specimen, the former without the factor
+/// population_share().
 Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::VectorXd& z,
                                     int specimen) {
   if (specimen >= 0) return displacements(problem.coordinates(), z, specimen);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
   for (int c = 0; c < static_cast<int>(u.size()); ++c) {
-    // Without the population's share, which belongs to the estimate and not to the geometry.
-    const CoordinateEntries& of = problem.coordinates().entries(c);
-    if (of.population >= 0) u[c] = of.population_sd * z[of.population];
+    // The population share belongs to the estimate, not to the geometry.
+    const CoordinateEntries& coordinate = problem.coordinates().entries(c);
+    if (coordinate.population >= 0) u[c] = coordinate.population_sd * z[coordinate.population];
   }
   return u;
 }
@@ -59,13 +61,13 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
   const FitParameters& parameters = problem.parameters();
   std::vector<Gauge> gauges;
   for (int p = 0; p < static_cast<int>(parameters.all.size()); ++p) {
-    // Candidates: shifts of an axis along itself that move nothing else.
+    // Candidates are shifts of an axis along itself that move nothing else.
     const Parameter& one = parameters.all[p];
     if (one.kind != ParameterKind::kAxisPoint || one.component != 2) continue;
     Gauge gauge{own_coordinate(parameters, p), {-1, -1}, {-1, -1}};
     if (gauge.along < 0) continue;
 
-    // Is the axis tilted, and can its point take up the shift in both directions?
+    // Check whether the axis is tilted, and whether its point can compensate in both directions.
     bool tilted = false, free = true;
     for (int k = 0; k < 2; ++k) {
       gauge.tilt[k] = find_parameter(parameters, ParameterKind::kAxisDirection, one.item, k);
@@ -76,7 +78,7 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
       free &= takes_up(problem, gauge.point[k], gauge.along, turn);
     }
 
-    // Without any tilt the shift has no effect and needs nobody to take it up.
+    // Without tilt the shift has no effect, and needs no compensation.
     if (!tilted) gauge.point[0] = gauge.point[1] = -1;
     if (free || !tilted) gauges.push_back(gauge);
   }
@@ -85,7 +87,7 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
 
 Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gauge>& gauges,
                                Eigen::VectorXd z) {
-  // All changes are computed from z as it was.
+  // Compute all changes from the original z.
   const Eigen::VectorXd before = z;
   const FitParameters& parameters = problem.parameters();
   const int specimens = static_cast<int>(problem.specimens().size());
@@ -96,13 +98,13 @@ Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gaug
       return -u[gauge.along] * tilt(parameters, gauge.tilt[k], u);
     };
 
-    // The shift becomes zero, of the population and of every specimen.
+    // Set the shift to zero, for the population and for every specimen.
     const CoordinateEntries& along = problem.coordinates().entries(gauge.along);
     if (along.population >= 0) z[along.population] = 0;
     for (int s = 0; s < specimens && along.deviation >= 0; ++s)
       z[along.deviation + s * problem.coordinates().deviations()] = 0;
 
-    // The point takes it up: the population's part first, specimens relative to it.
+    // Move the point instead: first for the population, then for specimens relative to it.
     for (int k = 0; k < 2 && gauge.point[k] >= 0; ++k) {
       const int c = gauge.point[k];
       const CoordinateEntries& point = problem.coordinates().entries(c);

@@ -8,9 +8,10 @@
 
 namespace thenar {
 
-/// An axis that may be shifted along its start direction d0 by s. Tilted by (u, v), its line is
+/// Shift s of a joint axis along its initial direction d0. Tilted by (u, v), the axis is the line
 ///   p + s d0 + a e1 + b e2 + R (d0 + u e1 + v e2),
-/// the same as without s but with a - s u and b - s v [m]. So s can be left out without any loss.
+/// which is the same line without s, but with a - s u and b - s v [m]. So s can be left out without
+/// loss.
 struct Gauge {
   int along;     // coordinate of s
   int point[2];  // coordinates of a and b; -1: the axis is not tilted and they have no effect
@@ -18,11 +19,11 @@ struct Gauge {
 };
 
 /// Finds the shifts along an axis that can be left out: shifts that move nothing else, of axes that
-/// are not tilted or whose point is free wherever the shift is, in population or specimens.
-/// @return  one gauge for each such axis, in the order of the parameters
+/// are not tilted or whose point is free wherever the shift is, in the population or in specimens.
+/// @return one gauge per such axis, in the order of the parameters
 [[nodiscard]] std::vector<Gauge> find_gauges(const FitProblem& problem);
 
-/// Point with every gauge at zero and the same forces (size).
+/// Returns the point with all gauges at zero that predicts the same forces (size).
 /// @param gauges  from find_gauges()
 /// @param z       any point of the fit [1] (size)
 [[nodiscard]] Eigen::VectorXd without_gauges(const FitProblem& problem,

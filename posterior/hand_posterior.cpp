@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using internal::Displaced;
 using internal::EntryMotion;
 using internal::PosteriorParts;
+using internal::SpecimenCoordinates;
 using Points = Eigen::Ref<const MatrixXd>;
 
-/// d/dx from d/du of each specimen.
+/// Transforms derivatives by u of each specimen to derivatives by x.
 void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
                     const std::vector<MatrixXd>& by_u, MatrixXd& gradient) {
   for (Index p = 0; p < motion.log_noise.cols(); ++p)
@@ -30,7 +30,7 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
       for (std::size_t s = 0; s < by_u.size(); ++s)
         if (entry.specimen < 0 || entry.specimen == static_cast<int>(s))
           by_y += by_u[s](entry.coordinate, p);
-      // Chain rule to the entry, to the centre of its bounds and to its scale factor.
+      // Apply the chain rule to the entry, to the centre of its bounds and to its scale factor.
       gradient(at, p) += by_y * motion.by_x(at, p);
       if (entry.centre >= 0)
         gradient(entry.centre, p) += by_y * motion.by_centre(at, p) * motion.by_x(entry.centre, p);
@@ -40,10 +40,10 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
     }
 }
 
-/// Adds one experiment to the likelihood, and to its derivatives if they are wanted.
-void add_experiment(const PosteriorParts& parts, int e, const Displaced& displaced,
+/// Adds one experiment to the likelihood and, if requested, to its derivatives.
+void add_experiment(const PosteriorParts& parts, int e, const SpecimenCoordinates& displaced,
                     const EntryMotion& motion, std::vector<MatrixXd>& by_u, Densities& at) {
-  // Forces at all points; a tape is recorded only if slopes are wanted.
+  // Predict the forces at all points; record a tape only for derivatives.
   const int s = parts.problem.specimen_of(e);
   const MatrixXd& u = displaced.u[s];
   const ForceKernel& kernel = parts.kernels[e];
@@ -51,7 +51,7 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
   const ForceKernel::Recorded recorded =
       wanted ? kernel.record(u) : ForceKernel::Recorded{kernel.forces(u), nullptr};
 
-  // Log likelihood point by point, with its derivatives by forces and by log noise.
+  // Add the log likelihood of each point, with its derivatives by forces and by log noise.
   MatrixXd by_force(recorded.forces.rows(), u.cols());
   for (Index p = 0; p < u.cols(); ++p) {
     const DataDensity one = data_density(parts.model, parts.data[e], recorded.forces.col(p).data(),
@@ -62,18 +62,20 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
           parts.options.noise_sd * one.by_log_noise;
   }
 
-  // Back from forces to the coordinates of the specimen.
+  // Propagate the derivatives from forces to the coordinates of the specimen.
   if (wanted) by_u[s] += kernel.adjoint_product(recorded, by_force);
 }
 
-/// u of each specimen where bounds hold some coordinates; zero where an entry of x moves it.
-std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
-  // Entries without room sit on their bound.
+/// Returns u of each specimen if all entries of x are zero; zero in coordinates that an entry
+/// moves.
+std::vector<Eigen::VectorXd> constant_coordinates(const FitProblem& problem,
+                                                  const PosteriorEntries& entries) {
+  // Entries between equal bounds have the value of the bound.
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
   for (const int i : entries.fixed) z[i] = problem.coordinates().lower()[i];
   std::vector<Eigen::VectorXd> rest;
   for (std::size_t s = 0; s < problem.specimens().size(); ++s) {
-    // Coordinates that an entry of x moves are added later.
+    // Coordinates that an entry of x moves are computed later.
     rest.push_back(displacements(problem.coordinates(), z, static_cast<int>(s)));
     for (const CoordinateEntry& entry : entries.coordinates) rest.back()[entry.coordinate] = 0;
   }
@@ -110,7 +112,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
   require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,
           "spread_sd must be > 0, got {}", options.specimen_scale_sd);
 
-  // Entries of x.
+  // List the entries of x.
   const FitProblem& fit = parts.problem;
   parts.entries =
       list_entries(fit, options.learn_noise, options.learn_specimen_scale, options.sphere_priors);
@@ -118,14 +120,14 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
           "nothing to sample: every free parameter shifts an axis along itself, or is held by its "
           "bounds");
 
-  // Measurements and force kernel of every experiment.
+  // Prepare measurements and force kernel of every experiment.
   parts.model = ForceNoise(fit.robust_scale());
   for (std::size_t e = 0; e < fit.experiments().size(); ++e) {
     parts.data.push_back(
         observed_forces(fit.digit(), fit.plans()[e], fit.experiments()[e], parts.model));
     parts.kernels.emplace_back(fit.digit(), fit.parameters(), parts.data.back().plan);
   }
-  parts.rest = resting(fit, parts.entries);
+  parts.rest = constant_coordinates(fit, parts.entries);
 }
 
 HandPosterior::~HandPosterior() = default;
@@ -138,26 +140,26 @@ const PosteriorOptions& HandPosterior::options() const { return parts_->options;
 Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   const bool wanted = want == WithGradient::kYes;
-  // From entries of x to the coordinates of every specimen.
-  const EntryMotion motion = internal::move(*parts_, x);
-  const Displaced displaced = internal::displace(*parts_, motion);
+  // Compute the coordinates of every specimen from x.
+  const EntryMotion motion = internal::move_entries(*parts_, x);
+  const SpecimenCoordinates displaced = internal::displace_specimens(*parts_, motion);
   Densities at{Eigen::VectorXd(x.cols()), Eigen::VectorXd::Zero(x.cols()), {}, {}};
   if (wanted) {
     at.prior_gradient.resize(x.rows(), x.cols());
     at.likelihood_gradient = MatrixXd::Zero(x.rows(), x.cols());
   }
 
-  // Prior.
   internal::set_prior(*parts_, motion, at.log_prior, at.prior_gradient);
 
-  // Likelihood, experiment by experiment; slopes by coordinates become slopes by x at the end.
+  // Add the likelihood of each experiment, then transform derivatives by coordinates to derivatives
+  // by x.
   std::vector<MatrixXd> by_u;
   for (const MatrixXd& u : displaced.u)
     by_u.emplace_back(MatrixXd::Zero(wanted ? u.rows() : 0, wanted ? u.cols() : 0));
   for (int e = 0; e < static_cast<int>(parts_->data.size()); ++e)
     add_experiment(*parts_, e, displaced, motion, by_u, at);
   if (wanted) add_by_entries(*parts_, motion, by_u, at.likelihood_gradient);
-  // Where coordinates were not finite, neither is the likelihood.
+  // Mark points whose coordinates are not finite.
   for (Index p = 0; p < x.cols(); ++p)
     if (displaced.non_finite[p] != 0) at.log_likelihood[p] = std::nan("");
   return at;
@@ -165,8 +167,9 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
 
 MatrixXd HandPosterior::forces(const Points& x, int e) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
-  // Forces of the trials alone, without the unit pulls of tasks behind them.
-  const Displaced displaced = internal::displace(*parts_, internal::move(*parts_, x));
+  // Predict the trials only, without the unit pulls of tasks.
+  const SpecimenCoordinates displaced =
+      internal::displace_specimens(*parts_, internal::move_entries(*parts_, x));
   MatrixXd forces = parts_->kernels.at(e)
                         .forces(displaced.u[parts_->problem.specimen_of(e)])
                         .topRows(3 * parts_->data[e].trials);
@@ -177,9 +180,9 @@ MatrixXd HandPosterior::forces(const Points& x, int e) const {
 
 MatrixXd HandPosterior::pointwise(const Points& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
-  // Coordinates of every specimen, and room for trials first, then tasks.
-  const EntryMotion motion = internal::move(*parts_, x);
-  const Displaced displaced = internal::displace(*parts_, motion);
+  // Compute the coordinates of every specimen, and allocate rows for trials first, then tasks.
+  const EntryMotion motion = internal::move_entries(*parts_, x);
+  const SpecimenCoordinates displaced = internal::displace_specimens(*parts_, motion);
   Index trials = 0, tasks = 0;
   for (const ObservedForces& data : parts_->data) {
     trials += data.trials;
@@ -188,14 +191,14 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
   MatrixXd out(trials + tasks, x.cols());
   Index trial = 0, task = trials;
   for (std::size_t e = 0; e < parts_->data.size(); ++e) {
-    // Forces of the experiment at all points.
+    // Predict the forces of the experiment at all points.
     const ObservedForces& data = parts_->data[e];
     const MatrixXd forces =
         parts_->kernels[e].forces(displaced.u[parts_->problem.specimen_of(static_cast<int>(e))]);
     Eigen::VectorXd by_force(forces.rows());
     const auto own = static_cast<Index>(data.tasks.size());
     Eigen::VectorXd summands(data.trials + own);
-    // Summands of each point, trials and tasks apart.
+    // Split the summands of each point into trials and tasks.
     for (Index p = 0; p < x.cols(); ++p) {
       (void)data_density(parts_->model, data, forces.col(p).data(),
                          motion.log_noise(static_cast<Index>(e), p), by_force.data(),
@@ -210,14 +213,14 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
   return out;
 }
 
-// Between a posterior's x, the z of its fit, and the numbers that people read.
+// Conversions between a posterior's x, the z of its fit, and parameters.
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of random numbers
+constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of the random stream of prior draws
 
-/// Values of some parameters [SI].
+/// Returns the values of some parameters [SI].
 VectorXd values_of(const FitParameters& parameters, const std::vector<int>& which,
                    const VectorXd& u) {
   const std::vector<double> all = parameter_values<double>(parameters, u);
@@ -226,23 +229,25 @@ VectorXd values_of(const FitParameters& parameters, const std::vector<int>& whic
   return some;
 }
 
-/// z(x) of an entry, where its specimen_scale factor is k.
+/// Returns z(x) of an entry with specimen_scale factor k.
 double entry_image(const CoordinateEntry& entry, double k, double x) {
-  if (entry.table) return entry.table->at(x).z;
+  if (entry.table) return entry.table->evaluate(x).z;
   const auto bounds = entry.bounds(k);
   return bounds ? bounds->at(x).z : x;
 }
 
-/// z of an entry whose bounds count from its population's, where the latter's z is set already.
+/// Returns z of an entry whose bounds are relative to its population's entry, which must be set in
+/// z.
 double centred_entry(const internal::PosteriorParts& parts, const CoordinateEntry& entry, double k,
                      const VectorXd& z, double x) {
-  const CoordinateEntries& of = parts.problem.coordinates().entries(entry.coordinate);
-  const double population = of.population_sd * z[of.population];
+  const CoordinateEntries& coordinate = parts.problem.coordinates().entries(entry.coordinate);
+  const double population = coordinate.population_sd * z[coordinate.population];
   if (k == 1) return x;
-  return deviation_entry(of, population, specimen_deviation(of, population, x, k).u);
+  return deviation_entry(coordinate, population,
+                         specimen_deviation(coordinate, population, x, k).u);
 }
 
-/// Finds x of an entry from what it adds to its coordinate.
+/// Returns x of an entry from its contribution to the coordinate.
 double entry_from(const CoordinateEntry& entry, double k, double y) {
   const double z = y / (k * entry.sd);
   if (entry.table) return entry.table->inverse(z);
@@ -253,7 +258,7 @@ double entry_from(const CoordinateEntry& entry, double k, double y) {
 }  // namespace
 
 std::vector<std::string> HandPosterior::names() const {
-  // Entries of the fit, then the factors of noise and between specimens.
+  // Name the entries of the fit, then the factors of noise and between specimens.
   const std::vector<std::string> all = parts_->problem.coordinates().names();
   std::vector<std::string> names;
   for (const CoordinateEntry& entry : parts_->entries.coordinates) names.push_back(all[entry.z]);
@@ -272,7 +277,7 @@ std::vector<std::string> HandPosterior::specimen_scale_kinds() const {
 
 std::vector<int> HandPosterior::moving_parameters() const {
   const FitParameters& parameters = parts_->problem.parameters();
-  // Coordinates that some entry moves, and all parameters tied to them.
+  // Collect all parameters of the coordinates that some entry moves.
   std::vector<char> moves(parameters.coordinates(), 0);
   for (const CoordinateEntry& entry : parts_->entries.coordinates) moves[entry.coordinate] = 1;
   std::vector<int> moving;
@@ -284,12 +289,12 @@ std::vector<int> HandPosterior::moving_parameters() const {
 
 VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
   require(x.size() == size(), "the posterior has {} entries, got {}", size(), x.size());
-  // Entries without room sit on their bound.
+  // Entries between equal bounds have the value of the bound.
   const PosteriorEntries& entries = parts_->entries;
   VectorXd z = VectorXd::Zero(parts_->problem.size());
   for (const int fixed : entries.fixed) z[fixed] = parts_->problem.coordinates().lower()[fixed];
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
-    // Each entry, with the factor of its kind.
+    // Apply the map of each entry with the factor of its kind.
     const CoordinateEntry& entry = entries.coordinates[i];
     const double k = entry.specimen_scale < 0
                          ? 1
@@ -302,10 +307,10 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
   return z;
 }
 
-VectorXd HandPosterior::from_fit(const VectorXd& z) const {
+VectorXd HandPosterior::from_fit_coordinates(const VectorXd& z) const {
   require(z.size() == parts_->problem.size() && z.allFinite(),
           "the fit has {} coordinates, all finite; got {}", parts_->problem.size(), z.size());
-  // Gauges first: x has no entry for them.
+  // Remove the gauges, for which x has no entries.
   const PosteriorEntries& entries = parts_->entries;
   const VectorXd at = without_gauges(parts_->problem, entries.gauges, z);
   VectorXd x = VectorXd::Zero(size());
@@ -318,7 +323,7 @@ VectorXd HandPosterior::from_fit(const VectorXd& z) const {
 
 PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
-  // Parameters that move, of the population and of each specimen.
+  // Compute the parameters that move, of the population and of each specimen.
   const FitProblem& problem = parts_->problem;
   const PosteriorEntries& entries = parts_->entries;
   const std::vector<int> moving = moving_parameters();
@@ -327,7 +332,7 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
   out.population.resize(rows, x.cols());
   out.specimens.assign(problem.specimens().size(), Eigen::MatrixXd(rows, x.cols()));
   for (Index p = 0; p < x.cols(); ++p) {
-    // Each point by way of the fit's z.
+    // Convert each point to the fit's z.
     const VectorXd z = fit_coordinates(x.col(p));
     const auto row = [&](int specimen) {
       return values_of(problem.parameters(), moving,
@@ -338,7 +343,7 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
       out.specimens[s].col(p) = row(static_cast<int>(s));
   }
 
-  // Factors of noise and between specimens; 1 where they are not learnt.
+  // Compute the factors of noise and between specimens; 1 if they are not inferred.
   const auto experiments = static_cast<Index>(problem.experiments().size());
   out.noise = Eigen::MatrixXd::Ones(experiments, x.cols());
   if (entries.noise_scales > 0)
@@ -353,20 +358,20 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
 }
 
 VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
-  // Standard normal entries.
+  // Draw standard normal entries.
   RandomStream random(seed, number, 0, kPriorStream);
   const PosteriorEntries& entries = parts_->entries;
   VectorXd x(size());
   for (Index i = 0; i < x.size(); ++i) x[i] = random.normal();
 
-  // Axis directions: from the sphere, until they are within the bounds of their tilts.
+  // Draw axis directions from the sphere until they are within the bounds of their tilts.
   const auto y = [&](int i) {
     const CoordinateEntry& entry = entries.coordinates[i];
     return entry.sd * fit_coordinates(x)[entry.z];
   };
   for (const TiltPair& pair : entries.tilts) {
     const CoordinateEntry& first = entries.coordinates[pair.x[0]];
-    // Centre: the population's tilts where the pair has them; concentration by the learnt scale.
+    // Centre: the population's tilts if the pair has them; concentration: by the inferred scale.
     const double k = first.specimen_scale < 0
                          ? 1
                          : std::exp(parts_->options.specimen_scale_sd *
@@ -375,7 +380,7 @@ VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
     for (int c = 0; c < 2; ++c)
       if (pair.centre[c] >= 0) centre[c] += y(pair.centre[c]);
     const double concentration = 1 / (k * k * first.sd * first.sd);
-    // Draw again while the tilts are beyond their bounds.
+    // Draw again while the tilts are outside their bounds.
     for (bool inside = false; !inside;) {
       const Eigen::Vector2d shift = draw_tilt(centre, concentration, random) - centre;
       inside = true;

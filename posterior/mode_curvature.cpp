@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-/// The factor of J'J where residuals come in blocks; priors give it full rank.
+/// Factorises J'J of residuals in blocks; priors make it full rank.
 ArrowFactor factor_blocks(const LeastSquares& problem, const Eigen::VectorXd& z) {
   CostDerivatives slopes = cost_derivatives(problem, z);
   for (Eigen::Index i = 0; i < z.size(); ++i)
@@ -17,7 +17,7 @@ ArrowFactor factor_blocks(const LeastSquares& problem, const Eigen::VectorXd& z)
 
 ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd& z)
     : size_(z.size()) {
-  // Share of the largest curvature below which neither data nor priors determine a direction [1]
+  // Curvature, over the largest, below which neither data nor priors determine a direction [1]
   constexpr double kMinCurvatureShare = 1e-12;
   for (int i = 0; i < static_cast<int>(z.size()); ++i)
     if (problem.lower[i] < problem.upper[i]) free_.push_back(i);
@@ -25,7 +25,7 @@ ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd&
     blocks_ = factor_blocks(problem, z);
     return;
   }
-  // Eigenvalues of J'J; unknown directions get a small one.
+  // Compute the eigenvalues of J'J; undetermined directions get a small one.
   const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, free_);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
   const double largest = free_.empty() ? 0 : eigen.eigenvalues().maxCoeff();
@@ -42,11 +42,11 @@ double ModeCurvature::log_determinant() const {
   return blocks_ ? blocks_->log_determinant() : lambda_.array().log().sum();
 }
 
-Eigen::VectorXd ModeCurvature::spread(const Eigen::VectorXd& normal) const {
-  // A fixed coordinate stays where it is.
+Eigen::VectorXd ModeCurvature::transform_normal(const Eigen::VectorXd& normal) const {
+  // A fixed coordinate has no deviation.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(size_);
   if (blocks_)
-    out(free_) = blocks_->colour(normal)(free_);
+    out(free_) = blocks_->unwhiten(normal)(free_);
   else
     out(free_) = axes_ * lambda_.cwiseSqrt().cwiseInverse().cwiseProduct(normal(free_));
   return out;

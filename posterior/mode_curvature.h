@@ -1,6 +1,6 @@
 #pragma once
 
-/// The Laplace approximation of a posterior at a mode: J'J of residuals, by blocks where there are.
+/// Laplace approximation of a posterior at a mode: J'J of the residuals, by blocks where available.
 
 #include <optional>
 #include <vector>
@@ -9,28 +9,31 @@
 
 namespace thenar {
 
-/// J'J at a point, over the coordinates whose bounds leave them room; the others are fixed and have
-/// no variance. Where residuals come in blocks it is held as their factor, which grows in
-/// proportion to their number; otherwise in its eigenvectors, those that neither data nor priors
-/// know having 1e-12 of the largest curvature.
+/// J'J at a point over the coordinates that their bounds do not fix; fixed coordinates have no
+/// variance. If the residuals come in blocks, J'J is stored as their factor, whose size is
+/// proportional to the number of blocks; otherwise as eigenvectors, with at least 1e-12 of the
+/// largest curvature in directions that neither data nor priors determine.
 class ModeCurvature {
  public:
+  /// Evaluates J'J at z (n).
   ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd& z);
 
-  /// |J apart|^2 (n).
+  /// Returns |J apart|^2. @param apart  difference of two points (n)
   [[nodiscard]] double squared_norm(const Eigen::VectorXd& apart) const;
+  /// Returns log det(J'J) over the free coordinates.
   [[nodiscard]] double log_determinant() const;
-  /// A vector that has the covariance (J'J)^-1 if `normal` is standard normal (n).
-  [[nodiscard]] Eigen::VectorXd spread(const Eigen::VectorXd& normal) const;
-  /// (J'J)^-1, zero where a coordinate is fixed (n, n): of many specimens it is large.
+  /// Returns a vector with covariance (J'J)^-1 if `normal` is standard normal (n).
+  [[nodiscard]] Eigen::VectorXd transform_normal(const Eigen::VectorXd& normal) const;
+  /// Returns (J'J)^-1, zero where a coordinate is fixed (n, n). Large for many specimens.
   [[nodiscard]] Eigen::MatrixXd covariance() const;
 
  private:
   Eigen::Index size_;
-  std::vector<int> free_;              // indices in z
-  Eigen::MatrixXd axes_;               // orthonormal columns (free, free)
-  Eigen::VectorXd lambda_;             // 1 / variance, > 0 (free)
-  std::optional<ArrowFactor> blocks_;  // instead of both, where residuals come in blocks
+  std::vector<int> free_;   // indices in z of the free coordinates
+  Eigen::MatrixXd axes_;    // eigenvectors as orthonormal columns (free, free)
+  Eigen::VectorXd lambda_;  // curvature along each axis: 1 / variance, > 0 (free)
+  std::optional<ArrowFactor>
+      blocks_;  // factor that replaces axes_ and lambda_ if the residuals come in blocks
 };
 
 }  // namespace thenar

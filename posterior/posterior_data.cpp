@@ -7,10 +7,10 @@
 namespace thenar {
 namespace {
 
-/// Normal noise: all trials are one sum of squares.
+/// Evaluates normal noise: all trials are one sum of squares.
 DataDensity normal_density(const ObservedForces& data, const double* forces, double log_noise,
                            double* by_force) {
-  // Weighted residuals of all trials.
+  // Weight the residuals of all trials.
   const double scale = std::exp(-2 * log_noise);
   const int count = data.plan.measured * data.trials;
   const double m =
@@ -19,7 +19,7 @@ DataDensity normal_density(const ObservedForces& data, const double* forces, dou
   return {data.log_peak - count * log_noise - 0.5 * m, m - count};
 }
 
-/// Noise of any kind, trial by trial.
+/// Evaluates any noise model, trial by trial.
 DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
                            const double* forces, double log_noise, double* by_force,
                            double* pointwise) {
@@ -34,7 +34,7 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
     double* by = by_force + 3 * i;
     double m = 0;
     for (int k = 0; k < 3; ++k) m += (measured[k] - predicted[k]) * by[k];
-    // The tail weighs it, for the density and for both derivatives.
+    // The tail weights the density and both derivatives.
     const ForceNoise::Tail tail = model.tail(m);
     for (int k = 0; k < 3; ++k) by[k] *= tail.weight;
     const double log_density =
@@ -50,10 +50,10 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
 
 ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
                                const Experiment& experiment, const ForceNoise& model) {
-  // Constants of the trials, then the unit pulls of the tasks.
+  // Compute the constants of the trials, and add the unit pulls of the tasks.
   ObservedForces out{plan_activations(digit, plan, experiment), {}, {}, 0};
   out.precision = plan.sd.cwiseAbs2().cwiseInverse();
-  Eigen::Matrix3Xd known = plan.sd;  // log 1 = 0: components that are not fitted add nothing
+  Eigen::Matrix3Xd known = plan.sd;  // log 1 = 0: components that are not fitted do not contribute
   known.bottomRows(3 - plan.measured).setOnes();
   out.log_scale =
       model.log_constant(plan.measured) - known.array().log().colwise().sum().transpose();
@@ -63,13 +63,13 @@ ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& p
 
 DataDensity data_density(const ForceNoise& model, const ObservedForces& data, const double* forces,
                          double log_noise, double* by_force, double* pointwise) {
-  // Trials, in the fast way where nobody asks for single ones.
+  // Evaluate the trials, at once if single values are not requested.
   const bool plain = std::isinf(model.c2) && pointwise == nullptr;
   DataDensity sum = plain ? normal_density(data, forces, log_noise, by_force)
                           : trials_density(model, data, forces, log_noise, by_force, pointwise);
   if (data.tasks.empty()) return sum;
 
-  // Tasks: forces of their unit pulls.
+  // Evaluate the tasks from the forces of their unit pulls.
   const auto columns = static_cast<Eigen::Index>(data.plan.force.cols());
   Eigen::Map<Eigen::Matrix3Xd> by(by_force, 3, columns);
   by.rightCols(columns - data.trials).setZero();
@@ -79,7 +79,7 @@ DataDensity data_density(const ForceNoise& model, const ObservedForces& data, co
     for (std::size_t j = 0; j < task.pulls.size(); ++j)
       unit.col(static_cast<Eigen::Index>(j)) =
           Eigen::Map<const Eigen::Vector3d>(forces + 3 * task.pulls[j].column);
-    // Density of the task, and its slopes by the unit pulls.
+    // Density of the task, and its derivatives by the unit pulls.
     const TaskDensity one =
         task_density(model, unit, task.pulls, task.force, task.sd, std::exp(log_noise));
     for (std::size_t j = 0; j < task.pulls.size(); ++j)

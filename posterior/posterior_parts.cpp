@@ -1,4 +1,4 @@
-// From entries of x to the coordinates of specimens.
+// Computation of the coordinates of specimens from the entries of x.
 
 #include "posterior/posterior_parts.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Points eight by eight; the last one fills up.
+/// Stores points in blocks of eight; the last point pads the last block.
 SimdRows lanes_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   SimdRows out(x.rows(), x.cols());
   for (Index b = 0; b < out.blocks(); ++b)
@@ -29,12 +29,12 @@ SimdRows lanes_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   return out;
 }
 
-/// Logarithms of factors beyond these are no numbers to compute with.
-double sane(double log_factor) {
+/// Returns NaN for logarithms of factors that would overflow.
+double checked_log_factor(double log_factor) {
   return std::abs(log_factor) < 50 ? log_factor : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// An entry with a specimen_scale factor, at one point.
+/// Computes an entry with a specimen_scale factor, at one point.
 void move_scaled(const CoordinateEntry& entry, Index i, Index p, double k, EntryMotion& out) {
   // Without bounds the map is linear.
   const double x = out.x(i, p), scale = k * entry.sd;
@@ -42,7 +42,7 @@ void move_scaled(const CoordinateEntry& entry, Index i, Index p, double k, Entry
   out.by_x(i, p) = scale;
   const auto bounds = std::isnan(k) ? std::nullopt : entry.bounds(k);
   if (!bounds) return;
-  // Bounds are counted in sds, which the factor changes.
+  // Bounds in sds depend on the factor.
   const BoundedNormal::Image image = bounds->at(x);
   out.y(i, p) = out.by_log_specimen_scale(i, p) = scale * image.z;
   out.by_x(i, p) = scale * image.by_x;
@@ -52,10 +52,10 @@ void move_scaled(const CoordinateEntry& entry, Index i, Index p, double k, Entry
     out.by_log_specimen_scale(i, p) -= entry.sd * image.by_upper * entry.upper;
 }
 
-/// An entry whose bounds count from its population's, at one point. @param k  its specimen_scale
-/// factor
+/// Computes an entry whose bounds are relative to its population's entry, at one point.
+/// @param k  its specimen_scale factor
 void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, EntryMotion& out) {
-  // NaN where the map is not defined.
+  // The result is NaN where the map is not defined.
   const CoordinateEntry& entry = parts.entries.coordinates[i];
   const double centre = out.y(entry.centre, p), x = out.x(i, p);
   SpecimenDeviation own{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
@@ -67,25 +67,26 @@ void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, 
   if (entry.specimen_scale >= 0) out.by_log_specimen_scale(i, p) = own.by_log_factor;
 }
 
-/// Factors of noise and between specimens.
+/// Computes the factors of noise and between specimens.
 void move_scales(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x,
                  EntryMotion& out) {
   const PosteriorEntries& entries = parts.entries;
   const Index experiments = out.log_noise.rows(), kinds = out.specimen_scale.rows();
   for (Index p = 0; p < x.cols(); ++p) {
     for (Index e = 0; e < experiments && entries.noise_scales > 0; ++e)
-      out.log_noise(e, p) = sane(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
+      out.log_noise(e, p) =
+          checked_log_factor(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
     for (Index k = 0; k < kinds; ++k)
-      out.specimen_scale(k, p) = std::exp(
-          sane(parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
+      out.specimen_scale(k, p) = std::exp(checked_log_factor(
+          parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
   }
 }
 
-/// An entry without a factor, in blocks of eight points.
+/// Computes an entry without a factor, in blocks of eight points.
 void move_blocks(const CoordinateEntry& entry, Index i, EntryMotion& out) {
   for (Index b = 0; b < out.x.blocks(); ++b) {
     if (entry.table)
-      entry.table->at_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
+      entry.table->evaluate_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
     else
       scale_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
   }
@@ -93,8 +94,8 @@ void move_blocks(const CoordinateEntry& entry, Index i, EntryMotion& out) {
 
 }  // namespace
 
-EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
-  // Room for all that is wanted.
+EntryMotion move_entries(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  // Allocate the results.
   const PosteriorEntries& entries = parts.entries;
   const auto n = static_cast<Index>(entries.coordinates.size());
   const auto experiments = static_cast<Index>(parts.data.size());
@@ -107,7 +108,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
                   Eigen::MatrixXd::Zero(experiments, x.cols()),
                   Eigen::MatrixXd(kinds, x.cols())};
   move_scales(parts, x, out);
-  // Entries: about a moving centre, in blocks of eight points, or with a factor.
+  // Compute the entries: relative to a centre, in blocks of eight points, or with a factor.
   for (Index i = 0; i < n; ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
     if (entry.centre >= 0) {
@@ -124,10 +125,10 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
   return out;
 }
 
-Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
-  // Specimen by specimen: where its entries rest, and what they add.
+SpecimenCoordinates displace_specimens(const PosteriorParts& parts, const EntryMotion& motion) {
+  // For each specimen, add the contributions of its entries to the constant part.
   const Index points = motion.log_noise.cols();
-  Displaced out;
+  SpecimenCoordinates out;
   out.non_finite.assign(points, 0);
   for (std::size_t s = 0; s < parts.rest.size(); ++s) {
     out.u.emplace_back(parts.rest[s].replicate(1, points));
@@ -139,8 +140,8 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
       for (Index p = 0; p < points; ++p) to[p * u.rows()] += motion.y(static_cast<Index>(i), p);
     }
     for (Index p = 0; p < points; ++p) {
-      // Kernels see no NaN: such points are put to zero and marked.
-      double probe = 0;  // NaN if any is not finite
+      // Kernels must not see NaN: such points are set to zero and marked.
+      double probe = 0;  // NaN if any coordinate is not finite
       for (Index c = 0; c < u.rows(); ++c) probe += 0 * u(c, p);
       if (probe == 0) continue;
       out.non_finite[p] = 1;
@@ -155,19 +156,19 @@ namespace {
 
 using Lane = std::array<double, kBlockPoints>;
 
-/// One pair of tilts at one point: where it is, and by what it is moved.
+/// Prior of one pair of tilts at one point.
 class TiltTerm {
  public:
   TiltTerm(const PosteriorEntries& entries, const TiltPair& pair, const EntryMotion& motion,
            Eigen::Index point)
       : entries_(entries), pair_(pair), motion_(motion), point_(point) {
-    // Where the pair of tilts is, and the centre of its prior.
+    // Compute the tilts, and the centre of their prior.
     Eigen::Vector2d tilt, centre;
     for (int k = 0; k < 2; ++k) {
       centre[k] = pair.mean[k] + (pair.centre[k] < 0 ? 0 : motion.y(pair.centre[k], point));
       tilt[k] = centre[k] + motion.y(pair.x[k], point);
     }
-    // Density on the sphere, at the learnt scale.
+    // Evaluate the density on the sphere with the inferred scale.
     const CoordinateEntry& first = entries.coordinates[pair.x[0]];
     scale_ = first.sd *
              (first.specimen_scale < 0 ? 1 : motion.specimen_scale(first.specimen_scale, point));
@@ -175,13 +176,14 @@ class TiltTerm {
     density_ = tilt_density(tilt, centre, 1 / (scale_ * scale_));
   }
 
-  /// log of the density on the sphere over that of the two normal tilts.
+  /// Returns the log density on the sphere minus that of the two normal tilts.
   [[nodiscard]] double log_ratio() const {
     return density_.log_density + 2 * std::log(scale_) + 0.5 * z_.squaredNorm() + std::log(2 * kPi);
   }
 
+  /// Adds the derivatives of log_ratio() by x.
   void add_gradient(double specimen_scale_sd, Eigen::MatrixXd& gradient) const {
-    // By the tilts themselves and by their centre.
+    // Derivatives by the tilts and by their centre.
     const int specimen_scale = entries_.coordinates[pair_.x[0]].specimen_scale;
     double by_log_scale = 2 - 2 * density_.by_log_concentration;
     for (int k = 0; k < 2; ++k) {
@@ -191,7 +193,7 @@ class TiltTerm {
       if (centre >= 0)
         gradient(centre, point_) +=
             (density_.by_tilt[k] + density_.by_centre[k]) * motion_.by_x(centre, point_);
-      // By the factor of the scale, which moves tilts and concentration.
+      // Derivative by the scale factor, which changes tilts and concentration.
       if (specimen_scale >= 0)
         by_log_scale += by_own * motion_.by_log_specimen_scale(i, point_) - z_[k] * z_[k];
     }
@@ -211,12 +213,12 @@ class TiltTerm {
 };
 
 /// Returns whether the prior of this pair is independent of all other entries.
-bool alone(const PosteriorEntries& entries, const TiltPair& pair) {
+bool is_independent(const PosteriorEntries& entries, const TiltPair& pair) {
   return pair.centre[0] < 0 && pair.centre[1] < 0 &&
          entries.coordinates[pair.x[0]].specimen_scale < 0;
 }
 
-/// Eight points of a block.
+/// Log prior of the eight points of a block.
 class PriorBlock {
  public:
   PriorBlock(const PosteriorParts& parts, const EntryMotion& motion, Index block, Index points)
@@ -229,6 +231,7 @@ class PriorBlock {
     product_.fill(1);
   }
 
+  /// Computes the log prior and, if `gradient` has columns, its gradient.
   void set(Eigen::VectorXd& log_prior, Eigen::MatrixXd& gradient) {
     // Standard normal entries.
     const PosteriorEntries& entries = parts_.entries;
@@ -240,19 +243,19 @@ class PriorBlock {
           gradient(i, first_ + k) = -motion_.x.row(block_, i)[k];
     // Axis directions on the sphere.
     for (const TiltPair& pair : entries.tilts) {
-      if (alone(entries, pair))
+      if (is_independent(entries, pair))
         add_alone(pair, gradient);
       else
         add_hierarchical(pair, gradient);
     }
-    // One logarithm for all factors of a point.
+    // Take one logarithm for all factors of a point.
     for (Index k = 0; k < count_; ++k)
       log_prior[first_ + k] = sum_[k] - (product_[k] == 1 ? 0 : 1.5 * std::log(product_[k]));
   }
 
  private:
   void add_alone(const TiltPair& pair, Eigen::MatrixXd& gradient) {
-    // Eight points at once: sums, products and slopes.
+    // Compute sums, products and derivatives of eight points at once.
     const double sd = parts_.entries.coordinates[pair.x[0]].sd, concentration = 1 / (sd * sd);
     Lane by[2];
     tilt_block({{pair.mean[0], pair.mean[1]}, sd, concentration}, motion_.y.row(block_, pair.x[0]),
@@ -275,7 +278,7 @@ class PriorBlock {
   const PosteriorParts& parts_;
   const EntryMotion& motion_;
   Index block_, first_, count_;
-  Lane sum_, product_;  // log prior; what is left of it as a product
+  Lane sum_, product_;  // log prior without the logarithm of `product_`
 };
 
 }  // namespace

@@ -11,17 +11,17 @@ void map_block(const PiecewisePolynomial& map, const double* x, double scale, do
                double* by_x) {
   const double* coefficients = map.coefficients;
   const double start = map.start, per_unit = map.per_unit, last = map.last;
-  // Cell of each point, and the fraction within it.
+  // Find the cell of each point, and the position within it.
   int cell[kBlockPoints];
   double f[kBlockPoints];
-  // Value and slope of the cell's polynomial, by Horner.
   for (int k = 0; k < kBlockPoints; ++k) {
-    double at = x[k] > start ? x[k] : start;  // NaN goes to the start
+    double at = x[k] > start ? x[k] : start;  // NaN becomes the start
     at = at < last ? at : last;
     const double t = (at - start) * per_unit;
     cell[k] = static_cast<int>(t);
     f[k] = t - static_cast<double>(cell[k]);
   }
+  // Evaluate value and derivative of the cell's polynomial by Horner's scheme.
   for (int k = 0; k < kBlockPoints; ++k) {
     const double* c = coefficients + 6 * cell[k];
     const double t = f[k];
@@ -57,10 +57,10 @@ void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1,
     // 1 - cos of the angle to the mean, by Lagrange's identity.
     const double root = std::sqrt(w * w_c), cross = t0 * c1 - t1 * c0, square = a * a + b * b;
     const double away = (square + cross * cross) / (root * (root + dot));
-    // Log density over that of normal tilts; w stays for one logarithm at the end.
+    // Log density over that of normal tilts; the logarithm of w is added at the end.
     sum[k] += 0.5 * precision * square - concentration * away;
     product[k] *= w;
-    // Slopes by both tilts.
+    // Derivatives by both tilts.
     const double pull = concentration / root, along = (pull * dot + 3) / w;
     by_y0[k] = pull * c0 - along * t0 + precision * a;
     by_y1[k] = pull * c1 - along * t1 + precision * b;
@@ -70,7 +70,7 @@ void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1,
 THENAR_FOR_ALL_PROCESSORS
 double weigh_residuals(int count, const double* measured, const double* predicted,
                        const double* precision, double scale, double* weight) {
-  // Eight sums side by side, in an order that depends on nothing but the count.
+  // Accumulate eight partial sums in an order that depends only on the count.
   double sums[kBlockPoints] = {};
   int i = 0;
   for (; i + kBlockPoints <= count; i += kBlockPoints)
@@ -79,7 +79,7 @@ double weigh_residuals(int count, const double* measured, const double* predicte
       weight[i + k] = scaled * scale;
       sums[k] += r * scaled;
     }
-  // Those beyond the last whole block.
+  // Add the remaining numbers.
   for (int k = 0; i < count; ++i, ++k) {
     const double r = measured[i] - predicted[i], scaled = r * precision[i];
     weight[i] = scaled * scale;

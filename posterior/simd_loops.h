@@ -1,14 +1,15 @@
 #pragma once
 
-/// Inner loops of a posterior over blocks of eight points, compiled for several processors.
+/// Inner loops of a posterior over blocks of eight points, compiled for several instruction sets.
 
 #include <vector>
 
 namespace thenar::internal {
 
-inline constexpr int kBlockPoints = 8;  // Points of a block: a register of the widest unit
+inline constexpr int kBlockPoints = 8;  // points of a block: a register of the widest SIMD unit
 
-/// Row i of points 8 b .. 8 b + 7 is contiguous. Points beyond the last fill up the last block.
+/// Matrix stored by blocks of eight points: row i of points 8 b .. 8 b + 7 is contiguous. Points
+/// beyond the last one pad the last block.
 class SimdRows {
  public:
   SimdRows() = default;
@@ -37,37 +38,38 @@ class SimdRows {
   std::vector<double> numbers_;
 };
 
-// The processor is asked at run time. All versions give the same bits: no sum is reordered, and no
-// multiplication is fused (-ffp-contract=off).
+// The instruction set is chosen at run time. All versions give the same bits: no sum is reordered,
+// and no multiplication is fused (-ffp-contract=off).
 
-/// A map in cells of equal width, each a polynomial of degree 5.
+/// Piecewise polynomial of degree 5 on cells of equal width.
 struct PiecewisePolynomial {
-  const double* coefficients;  // six of each cell, constant term first
-  double start, per_unit;      // where the first cell begins; cells per unit
-  double last;                 // where the last one ends
+  const double* coefficients;  // six per cell, constant term first
+  double start, per_unit;      // start of the first cell; number of cells per unit
+  double last;                 // end of the last cell
 };
 
-/// y = scale z(x), by_x = scale dz/dx at eight points; beyond the cells, the values at their ends.
+/// Computes y = scale z(x), by_x = scale dz/dx at eight points; beyond the cells, uses the values
+/// at their ends.
 void map_block(const PiecewisePolynomial& map, const double* x, double scale, double* y,
                double* by_x);
 
-/// y = scale x.
+/// Computes y = scale x, by_x = scale at eight points.
 void scale_block(const double* x, double scale, double* y, double* by_x);
 
-/// sum -= x^2 / 2 at eight points.
+/// Computes sum -= x^2 / 2 at eight points.
 void subtract_half_square(const double* x, double* sum);
 
-/// A von Mises-Fisher prior of two tilts relative to a normal prior, see TiltDensity.
+/// Von Mises-Fisher prior of two tilts relative to a normal prior, see TiltDensity.
 struct TiltPriorBlock {
   double mean[2], sd;    // [rad]
   double concentration;  // [1/rad^2]
 };
-/// Adds to `sum` the part of its logarithm without -3/2 log w, multiplies `product` by w = 1 +
-/// |t|^2 and gives the derivatives by y, the tilts' displacements.
+/// Adds the log prior without its term -3/2 log w to `sum`, multiplies `product` by w = 1 + |t|^2,
+/// and writes the derivatives by the displacements y of the tilts.
 void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1, double* sum,
                 double* product, double* by_y0, double* by_y1);
 
-/// Returns sum (measured - predicted)^2 precision, and gives weight = (measured - predicted)
+/// Returns sum (measured - predicted)^2 precision, and writes weight = (measured - predicted)
 /// precision scale.
 double weigh_residuals(int count, const double* measured, const double* predicted,
                        const double* precision, double scale, double* weight);

@@ -14,7 +14,7 @@ TiltDensity tilt_density(const Eigen::Vector2d& tilt, const Eigen::Vector2d& cen
   const double w = 1 + tilt.squaredNorm(), w_c = 1 + centre.squaredNorm();
   const double root = std::sqrt(w * w_c), dot = 1 + tilt.dot(centre);
 
-  // 1 - cos of the angle between both, by Lagrange's identity, as it is small.
+  // 1 - cos of the small angle between both, by Lagrange's identity.
   const double cross = tilt.x() * centre.y() - tilt.y() * centre.x();
   const double away = ((tilt - centre).squaredNorm() + cross * cross) / (root * (root + dot));
 
@@ -32,13 +32,13 @@ Eigen::Vector2d draw_tilt(const Eigen::Vector2d& centre, double concentration,
   const Eigen::Vector3d mean = Eigen::Vector3d(1, centre.x(), centre.y()).normalized();
   const Eigen::Vector3d across = mean.unitOrthogonal();
   for (;;) {
-    // Height above the equator about the mean, by its inverse distribution.
+    // Draw the height along the mean direction by its inverse distribution.
     const double spread = -std::expm1(-concentration);
     const double height = 1 + std::log1p(-random.uniform() * spread) / concentration;
     const double turn = 2 * kPi * random.uniform();
     const Eigen::Vector3d aside = std::cos(turn) * across + std::sin(turn) * mean.cross(across);
     const Eigen::Vector3d d = height * mean + std::sqrt(std::max(0.0, 1 - height * height)) * aside;
-    if (d.x() > 0) return {d.y() / d.x(), d.z() / d.x()};  // else beyond the chart: again
+    if (d.x() > 0) return {d.y() / d.x(), d.z() / d.x()};  // otherwise beyond the chart: draw again
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Prior density of an axis direction, in the two tilts by which a fit moves it.
+/// Prior density of an axis direction in terms of its two tilts.
 
 #include <Eigen/Core>
 
@@ -11,13 +11,13 @@ namespace thenar {
 /// Log density of tilts t and its derivatives.
 struct TiltDensity {
   double log_density;           // [1]
-  Eigen::Vector2d by_tilt;      // [1/rad] (2)
-  Eigen::Vector2d by_centre;    // [1/rad] (2)
-  double by_log_concentration;  // [1]
+  Eigen::Vector2d by_tilt;      // derivative by the tilt [1/rad] (2)
+  Eigen::Vector2d by_centre;    // derivative by the centre [1/rad] (2)
+  double by_log_concentration;  // derivative by the logarithm of the concentration [1]
 };
 
-/// Von Mises-Fisher density of a direction d(t) = (d0 + t_1 e1 + t_2 e2) / sqrt(1 + |t|^2) about
-/// d(c), over the hemisphere that the gnomonic chart covers:
+/// Computes the von Mises-Fisher density of a direction d(t) = (d0 + t_1 e1 + t_2 e2) / sqrt(1 +
+/// |t|^2) about d(c), over the hemisphere covered by the gnomonic chart:
 ///   p(t) = k / (2 pi (1 - exp(-k))) exp(k (d(t).d(c) - 1)) (1 + |t|^2)^(-3/2),
 /// where the last factor is the solid angle of dt. It integrates to one for c = 0, and to one
 /// within exp(-k) for other centres.

@@ -10,30 +10,30 @@ using Eigen::VectorXd;
 
 void AndersonMixing::clear() {
   steps_.clear();
-  changes_.clear();
-  motion_.resize(0);
+  increment_changes_.clear();
+  increment_.resize(0);
 }
 
-VectorXd AndersonMixing::next(const VectorXd& motion) {
-  // What the last step changed.
-  if (motion_.size() == motion.size()) {
-    changes_.emplace_back(motion - motion_);
+VectorXd AndersonMixing::next_step(const VectorXd& increment) {
+  // Store the last step and the change of the increment along it.
+  if (increment_.size() == increment.size()) {
+    increment_changes_.emplace_back(increment - increment_);
     steps_.push_back(step_);
     if (steps_.size() > window_) {
       steps_.erase(steps_.begin());
-      changes_.erase(changes_.begin());
+      increment_changes_.erase(increment_changes_.begin());
     }
   }
-  motion_ = step_ = motion;
-  if (changes_.empty()) return step_;
-  // The least combination of motions, and where it is.
-  const auto count = static_cast<Index>(changes_.size());
-  MatrixXd change(motion.size(), count), step(motion.size(), count);
+  increment_ = step_ = increment;
+  if (increment_changes_.empty()) return step_;
+  // Subtract the combination of changes that minimises the increment.
+  const auto count = static_cast<Index>(increment_changes_.size());
+  MatrixXd change(increment.size(), count), step(increment.size(), count);
   for (Index k = 0; k < count; ++k) {
-    change.col(k) = changes_[k];
+    change.col(k) = increment_changes_[k];
     step.col(k) = steps_[k];
   }
-  step_ -= (step + change) * change.colPivHouseholderQr().solve(motion);
+  step_ -= (step + change) * change.colPivHouseholderQr().solve(increment);
   return step_;
 }
 

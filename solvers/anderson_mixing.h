@@ -1,6 +1,6 @@
 #pragma once
 
-/// Fixed-point iterations that shrink slowly, made to arrive.
+/// Anderson acceleration of slowly converging fixed-point iterations.
 
 #include <cstddef>
 #include <vector>
@@ -9,22 +9,25 @@
 
 namespace thenar {
 
-/// Anderson's mixing of an iteration  x -> x + m(x):  the combination of the last motions m that is
-/// least says where they vanish. Source: [WalkerNi2011].
+/// Anderson acceleration of a fixed-point iteration  x -> x + m(x).  The next step goes to where
+/// the linear combination of the last increments m with the smallest norm lies. Source:
+/// [WalkerNi2011].
 class AndersonMixing {
  public:
-  /// @param window  motions that are combined with the last, at most
+  /// @param window  maximum number of earlier increments that are combined with the latest one
   explicit AndersonMixing(std::size_t window) : window_(window) {}
 
-  /// Forgets all: the next step is the motion itself.
+  /// Clears the history: the next step is the plain increment.
   void clear();
-  /// The step to take, which the caller takes. @param motion  m where the last step led (n)
-  [[nodiscard]] Eigen::VectorXd next(const Eigen::VectorXd& motion);
+  /// Returns the accelerated step, to be added to x by the caller (n).
+  /// @param increment  increment m at the current x (n)
+  [[nodiscard]] Eigen::VectorXd next_step(const Eigen::VectorXd& increment);
 
  private:
   std::size_t window_;
-  std::vector<Eigen::VectorXd> steps_, changes_;  // of x, and of motions by them
-  Eigen::VectorXd motion_, step_;                 // the last ones; empty: there are none
+  std::vector<Eigen::VectorXd> steps_,
+      increment_changes_;  // steps in x, and the changes of the increment that they caused
+  Eigen::VectorXd increment_, step_;  // latest increment and step; empty at first
 };
 
 }  // namespace thenar

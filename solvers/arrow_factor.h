@@ -1,6 +1,7 @@
 #pragma once
 
-/// Least squares in which blocks of coordinates meet only through shared ones.
+/// Least-squares problems with block-arrow structure: blocks of coordinates are coupled only by
+/// shared coordinates.
 
 #include <vector>
 
@@ -8,58 +9,62 @@
 
 namespace thenar {
 
-/// Layout of coordinates: `shared` ones first, then `blocks` times `own` of one block each.
-/// An ordinary dense problem has shared coordinates alone.
+/// Layout of the coordinates: `shared` ones first, then `own` coordinates for each of `blocks`
+/// blocks. A dense problem has only shared coordinates.
 struct ArrowLayout {
   int shared = 0, own = 0, blocks = 0;
 
   [[nodiscard]] int size() const { return shared + own * blocks; }
-  [[nodiscard]] int first(int block) const { return shared + own * block; }  // index of its own
+  [[nodiscard]] int first_index(int block) const {
+    return shared + own * block;
+  }  // index of its first own coordinate
 };
 
-/// A symmetric matrix without the entries between two blocks: they are zero, or nobody asks for
-/// them. It grows in proportion to the number of blocks.
+/// Symmetric matrix without the entries between two different blocks, which are either zero or not
+/// needed. Its storage grows in proportion to the number of blocks.
 struct ArrowMatrix {
   ArrowMatrix() = default;
-  explicit ArrowMatrix(const ArrowLayout& of);  // zero
+  explicit ArrowMatrix(const ArrowLayout& arrow);  // zero matrix
 
-  /// The entries of shared coordinates, then of a block (-1: shared ones alone; so they are where
-  /// blocks have no coordinates).
-  [[nodiscard]] Eigen::MatrixXd of(int block) const;
+  /// Returns the entries of the shared coordinates, followed by those of one block
+  /// (shared + own, shared + own); only the shared entries for block -1 or if blocks have no
+  /// coordinates.
+  [[nodiscard]] Eigen::MatrixXd block_entries(int block) const;
   [[nodiscard]] Eigen::VectorXd diagonal() const;  // (size)
 
   ArrowLayout layout;
-  Eigen::MatrixXd shared;              // (shared, shared)
-  std::vector<Eigen::MatrixXd> own;    // of each block (own, own)
-  std::vector<Eigen::MatrixXd> cross;  // of each block with the shared coordinates (own, shared)
+  Eigen::MatrixXd shared;            // (shared, shared)
+  std::vector<Eigen::MatrixXd> own;  // diagonal block of each block (own, own)
+  std::vector<Eigen::MatrixXd>
+      cross;  // entries of each block with the shared coordinates (own, shared)
 };
 
 /// Rows of a Jacobian that depend on the shared coordinates and on those of one block.
 struct ArrowRows {
-  int block = -1;          // -1: shared coordinates alone
+  int block = -1;          // index of the block; -1: the rows depend on shared coordinates only
   Eigen::MatrixXd shared;  // (rows, shared)
   Eigen::MatrixXd own;     // (rows, own); unused without a block
 };
 
-/// The factor of  J'J = R'R,  R upper triangular, by one QR factorisation a block and one of what
-/// is left for the shared coordinates: its cost grows in proportion to the number of blocks, where
-/// a dense factorisation grows with their cube. Working on J and not on J'J keeps all digits.
-/// Source: [Bjorck1996] section 6.3, block angular problems.
+/// Factor R, upper triangular, of  J'J = R'R,  computed by one QR factorisation per block and one
+/// of the remaining rows of the shared coordinates. The cost is proportional to the number of
+/// blocks; that of a dense factorisation grows with its cube. Factorising J rather than J'J does
+/// not square the condition number. Source: [Bjorck1996] section 6.3, block angular problems.
 class ArrowFactor {
  public:
-  /// J must have full column rank, as it has where every coordinate has a prior.
+  /// Factorises J, which must have full column rank; a prior on every coordinate ensures that.
   ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
 
-  /// R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
+  /// Returns R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
   [[nodiscard]] Eigen::VectorXd whiten(const Eigen::VectorXd& g) const;
-  /// W = R^-T rows', so that rows (J'J)^-1 rows' = W'W, without the zeros of other blocks; of rows
-  /// among those of J no column is longer than 1 (own + shared coordinates, rows).
+  /// Returns W = R^-T rows' without the zeros of the other blocks, so that rows (J'J)^-1 rows' =
+  /// W'W (own + shared coordinates, rows). If the rows belong to J, no column is longer than 1.
   [[nodiscard]] Eigen::MatrixXd whiten(const ArrowRows& rows) const;
-  /// R^-1 v, of covariance (J'J)^-1 where v is standard normal  (size).
-  [[nodiscard]] Eigen::VectorXd colour(const Eigen::VectorXd& v) const;
+  /// Returns R^-1 v, which has covariance (J'J)^-1 if v is standard normal (size).
+  [[nodiscard]] Eigen::VectorXd unwhiten(const Eigen::VectorXd& v) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)
-  [[nodiscard]] ArrowMatrix inverse_blocks() const;                   // the same within blocks
-  [[nodiscard]] double log_determinant() const;                       // of J'J
+  [[nodiscard]] ArrowMatrix inverse_blocks() const;                   // (J'J)^-1 within blocks
+  [[nodiscard]] double log_determinant() const;                       // log det(J'J)
   [[nodiscard]] double squared_norm(const Eigen::VectorXd& v) const;  // |J v|^2
 
  private:
@@ -71,19 +76,24 @@ class ArrowFactor {
   Eigen::MatrixXd shared_;  // upper triangular (shared, shared)
 };
 
-/// The rows as one matrix (rows, size).
-[[nodiscard]] Eigen::MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
+/// Returns the rows as one dense matrix (rows, size).
+[[nodiscard]] Eigen::MatrixXd dense_rows(const ArrowLayout& layout,
+                                         const std::vector<ArrowRows>& rows);
 
-/// Directions v, |v| = 1, that the rows do not determine, |J v| < tolerance: orthonormal columns,
-/// in which blocks are connected by the shared coordinates only.
+/// Orthonormal basis of the directions v, |v| = 1, that the rows do not determine: |J v| <
+/// tolerance. Only directions that involve shared coordinates couple blocks.
 struct ArrowNullSpace {
-  Eigen::MatrixXd together;            // shared coordinates, answered by every block (size, k)
-  std::vector<Eigen::MatrixXd> alone;  // of each block, by itself (own, k of the block)
+  Eigen::MatrixXd coupled;  // directions that involve shared coordinates, with the response of
+                            // every block (size, k)
+  std::vector<Eigen::MatrixXd>
+      own;  // directions within each block, shared coordinates at rest (own, k of the block)
 };
 
-/// Null space of the `rows` of data; all directions of a block without rows are null. The cost
-/// grows in proportion to the number of blocks.
-/// @param tolerance  singular values below it count as zero; at least rounding of the largest
+/// Computes the null space of the `rows`; all directions of a block without rows belong to it. The
+/// cost is proportional to the number of blocks.
+/// @param tolerance  singular values below it count as zero; rounding of the largest singular value
+/// is
+/// the minimum
 [[nodiscard]] ArrowNullSpace arrow_null_space(const ArrowLayout& layout,
                                               const std::vector<ArrowRows>& rows, double tolerance);
 

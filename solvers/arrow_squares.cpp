@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All rows in one matrix, columns of coordinates that are not free being zero.
+/// Stacks the rows, and sets the columns of fixed coordinates to zero.
 MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free, Index columns) {
   Index rows = 0;
   for (const MatrixXd& part : parts) rows += part.rows();
@@ -26,31 +26,31 @@ MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free
   return all;
 }
 
-/// Returns for each shared coordinate, then for each own coordinate of a block, whether it is free
-/// (shared + own).
+/// Returns, for each shared coordinate and then for each own coordinate of a block, whether it is
+/// free (shared + own).
 std::vector<bool> free_of_block(const ArrowLayout& layout, int block,
                                 const std::vector<bool>& free) {
   std::vector<bool> out(free.begin(), free.begin() + layout.shared);
-  const auto own = free.begin() + layout.first(block);
+  const auto own = free.begin() + layout.first_index(block);
   out.insert(out.end(), own, own + layout.own);
   return out;
 }
 
-/// A += factor J J' in the lower triangle.
+/// Computes A += factor J J' in the lower triangle.
 void add_square(MatrixXd& A, const MatrixXd& J, double factor) {
   if (J.size() > 0) A.selfadjointView<Eigen::Lower>().rankUpdate(J, factor);
 }
 
 }  // namespace
 
-ArrowSquares::ArrowSquares(const ArrowLayout& of)
-    : layout(of),
-      shared(MatrixXd::Zero(of.shared, of.shared)),
-      diagonal(VectorXd::Zero(Index{of.own} * of.blocks)),
-      rows(static_cast<std::size_t>(of.blocks)) {}
+ArrowSquares::ArrowSquares(const ArrowLayout& arrow)
+    : layout(arrow),
+      shared(MatrixXd::Zero(arrow.shared, arrow.shared)),
+      diagonal(VectorXd::Zero(Index{arrow.own} * arrow.blocks)),
+      rows(static_cast<std::size_t>(arrow.blocks)) {}
 
 void ArrowSquares::add(int block, const MatrixXd& J) {
-  // Rows with one entry each have diagonal squares.
+  // Rows with one entry each only change the diagonal.
   Index entries = 0;
   Eigen::VectorXi in_row = Eigen::VectorXi::Zero(J.rows());
   for (Index j = 0; j < J.cols() && entries <= 1; ++j)
@@ -69,7 +69,7 @@ void ArrowSquares::add(int block, const MatrixXd& J) {
     rows[block].plus.push_back(J);
 }
 
-void ArrowSquares::take(int block, const MatrixXd& J) {
+void ArrowSquares::subtract(int block, const MatrixXd& J) {
   if (block < 0)
     shared -= J.transpose() * J;
   else
@@ -80,50 +80,50 @@ void ArrowSquares::scale(double factor) {
   shared *= factor;
   diagonal *= factor;
   const double root = std::sqrt(factor);
-  for (Rows& of : rows) {
-    for (MatrixXd& J : of.plus) J *= root;
-    for (MatrixXd& J : of.minus) J *= root;
+  for (Rows& block : rows) {
+    for (MatrixXd& J : block.plus) J *= root;
+    for (MatrixXd& J : block.minus) J *= root;
   }
 }
 
 std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
     const ArrowSquares& matrix, int block, const std::vector<bool>& free) {
   const ArrowLayout& layout = matrix.layout;
-  const std::vector<bool> here = free_of_block(layout, block, free);
-  // Own columns in units in which D is 1; a held coordinate stands alone.
+  const std::vector<bool> block_free = free_of_block(layout, block, free);
+  // Scale own columns so that D is 1; fixed coordinates are decoupled.
   Block out;
   out.u = matrix.diagonal.segment(Index{layout.own} * block, layout.own);
   for (Index i = 0; i < out.u.size(); ++i) {
-    if (!here[layout.shared + i]) out.u[i] = 1;
+    if (!block_free[layout.shared + i]) out.u[i] = 1;
     if (!(out.u[i] > 0)) return {};
     out.u[i] = 1 / std::sqrt(out.u[i]);
   }
   const ArrowSquares::Rows& rows = matrix.rows[block];
-  MatrixXd P = stack(rows.plus, here, layout.shared + layout.own);
-  MatrixXd N = stack(rows.minus, here, layout.shared + layout.own);
+  MatrixXd P = stack(rows.plus, block_free, layout.shared + layout.own);
+  MatrixXd N = stack(rows.minus, block_free, layout.shared + layout.own);
   P.rightCols(layout.own) = P.rightCols(layout.own) * out.u.asDiagonal();
   N.rightCols(layout.own) = N.rightCols(layout.own) * out.u.asDiagonal();
 
-  // What is added:  L^-1 P.
+  // Factorise the added part and compute L^-1 P.
   MatrixXd K = MatrixXd::Identity(P.rows(), P.rows());
   add_square(K, P.rightCols(layout.own), 1);
   const Eigen::LLT<MatrixXd> added(K);
   if (added.info() != Eigen::Success) return {};
   added.matrixL().solveInPlace(P);
 
-  // What is taken away from the rest.
+  // Factorise the subtracted part.
   if (N.rows() > 0) {
-    const MatrixXd met = N.rightCols(layout.own) * P.rightCols(layout.own).transpose();
-    MatrixXd left = MatrixXd::Identity(N.rows(), N.rows());
-    add_square(left, N.rightCols(layout.own), -1);
-    add_square(left, met, 1);
-    const Eigen::LLT<MatrixXd> taken(left);
-    if (taken.info() != Eigen::Success) return {};
-    N.noalias() -= met * P;
-    taken.matrixL().solveInPlace(N);
+    const MatrixXd overlap = N.rightCols(layout.own) * P.rightCols(layout.own).transpose();
+    MatrixXd remainder = MatrixXd::Identity(N.rows(), N.rows());
+    add_square(remainder, N.rightCols(layout.own), -1);
+    add_square(remainder, overlap, 1);
+    const Eigen::LLT<MatrixXd> subtracted(remainder);
+    if (subtracted.info() != Eigen::Success) return {};
+    N.noalias() -= overlap * P;
+    subtracted.matrixL().solveInPlace(N);
   }
 
-  // Both, below each other.
+  // Stack both parts.
   out.plus = P.rows();
   out.own.resize(P.rows() + N.rows(), layout.own);
   out.own << P.rightCols(layout.own), N.rightCols(layout.own);
@@ -137,7 +137,7 @@ std::optional<ArrowSquaresFactor> ArrowSquaresFactor::factor(const ArrowSquares&
   const ArrowLayout& layout = matrix.layout;
   ArrowSquaresFactor out(layout);
   out.free_ = free;
-  // Blocks first, then what they leave of the shared coordinates.
+  // Eliminate the blocks, then factorise the Schur complement of the shared coordinates.
   MatrixXd shared = matrix.shared;
   for (Index i = 0; i < shared.rows(); ++i) {
     if (free[i]) continue;
@@ -162,24 +162,24 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   VectorXd x = g;
   for (Index i = 0; i < x.size(); ++i)
     if (!free_[i]) x[i] = 0;
-  // W v, the rows taken away with a minus.
-  const auto weigh = [](const Block& block, VectorXd v) {
+  // W v: rows of the subtracted part have a negative sign.
+  const auto apply_signs = [](const Block& block, VectorXd v) {
     v.tail(v.size() - block.plus) *= -1;
     return v;
   };
-  // Forward through the blocks, then back from the shared coordinates.
+  // Substitute forward through the blocks, then backward from the shared coordinates.
   auto shared = x.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    auto own = x.segment(layout_.first(b), layout_.own);
+    auto own = x.segment(layout_.first_index(b), layout_.own);
     own.array() *= block.u.array();
-    shared -= block.shared.transpose() * weigh(block, block.own * own);
+    shared -= block.shared.transpose() * apply_signs(block, block.own * own);
   }
   shared_.solveInPlace(shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    auto own = x.segment(layout_.first(b), layout_.own);
-    own -= block.own.transpose() * weigh(block, block.own * own + block.shared * shared);
+    auto own = x.segment(layout_.first_index(b), layout_.own);
+    own -= block.own.transpose() * apply_signs(block, block.own * own + block.shared * shared);
     own.array() *= block.u.array();
   }
   return x;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hessians of least squares in which blocks have more coordinates than rows.
+/// Block-arrow Hessians of least squares whose blocks have more coordinates than rows.
 
 #include <optional>
 #include <vector>
@@ -11,58 +11,62 @@
 
 namespace thenar {
 
-/// A symmetric matrix over coordinates whose blocks meet only through shared ones:
+/// Symmetric matrix over coordinates with block-arrow structure:
 ///   H = S + sum over blocks of  (D + P'P - N'N),
-/// S over shared coordinates, D diagonal over those of the block, P and N rows over both.
+/// with S over the shared coordinates, D diagonal over those of the block, and P and N over both.
 struct ArrowSquares {
-  /// Rows over the shared coordinates, then those of a block (rows, shared + own).
+  /// Rows P and N over the shared coordinates, then those of a block (rows, shared + own).
   struct Rows {
     std::vector<Eigen::MatrixXd> plus, minus;
   };
 
-  explicit ArrowSquares(const ArrowLayout& of);  // zero
+  explicit ArrowSquares(const ArrowLayout& arrow);  // zero matrix
 
-  /// Adds J'J of rows that read the shared coordinates, then those of a block (-1: shared ones
-  /// alone). Rows with a single entry, as priors have, cost next to nothing.
+  /// Adds J'J. The columns of J are the shared coordinates, then those of the block (-1: only
+  /// shared coordinates). Rows with a single entry, such as those of priors, only change the
+  /// diagonal.
   void add(int block, const Eigen::MatrixXd& J);
-  /// Subtracts J'J.
-  void take(int block, const Eigen::MatrixXd& J);
-  /// Multiplies all of it by a factor > 0.
+  /// Subtracts J'J; arguments as for add().
+  void subtract(int block, const Eigen::MatrixXd& J);
+  /// Multiplies the matrix by a factor > 0.
   void scale(double factor);
 
   ArrowLayout layout;
   Eigen::MatrixXd shared;    // S (shared, shared)
-  Eigen::VectorXd diagonal;  // D of all blocks (own blocks)
-  std::vector<Rows> rows;    // of each block
+  Eigen::VectorXd diagonal;  // D of all blocks (own * blocks)
+  std::vector<Rows> rows;    // P and N of each block
 };
 
-/// Cholesky factor of such a matrix. Its cost grows with the number of blocks, with the coordinates
-/// of one and with the square of its rows, where a factor of its entries grows with the cube of the
-/// coordinates; it gains nothing with as many rows as these. Where rows of a Jacobian are at hand,
-/// ArrowFactor keeps more digits.
+/// Cholesky factor of an ArrowSquares matrix. The cost is proportional to the number of blocks, to
+/// the coordinates of a block and to the square of its number of rows; that of a dense
+/// factorisation grows with the cube of the coordinates. There is no gain if a block has as many
+/// rows as coordinates. If the rows of a Jacobian are available, ArrowFactor is more accurate.
 ///
 /// With U = D^-1/2 over own columns, by Woodbury's formula, a block needs the Cholesky factors of
 ///   1 + P U U P'  =  L L'   and   1 - N U (1 - A'A) U N',   A = L^-1 P U;
-/// H is positive definite over the block's own coordinates just where the second one exists.
-/// Source: [GolubVanLoan2013] section 2.1.4; [Haynsworth1968] on when it exists.
+/// H is positive definite over the block's own coordinates if and only if the second factor exists.
+/// Source: [GolubVanLoan2013] section 2.1.4; [Haynsworth1968] for its existence.
 class ArrowSquaresFactor {
  public:
-  /// Factors the entries of coordinates that are free (size); the others stay where they are.
-  /// @return nothing where H is not positive definite, or an own coordinate's D is not positive
+  /// Factorises the matrix over the free coordinates; the others are held fixed.
+  /// @param free  true for each free coordinate (size)
+  /// @return nothing if H is not positive definite, or if D of a free own coordinate is not
+  /// positive
   static std::optional<ArrowSquaresFactor> factor(const ArrowSquares& matrix,
                                                   const std::vector<bool>& free);
 
-  /// H^-1 g over the free coordinates, 0 at the others (size).
+  /// Returns H^-1 g over the free coordinates, 0 at the others (size).
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& g) const;
 
  private:
-  /// The block's inverse over own coordinates is  U (1 - own' W own) U,  what it leaves of S is
-  /// shared' W shared,  W = 1 for the first `plus` rows and -1 for the others.
+  /// Elimination of one block: its inverse over own coordinates is  U (1 - own' W own) U,  and its
+  /// Schur complement in S is  shared' W shared,  with W = 1 for the first `plus` rows and -1 for
+  /// the others.
   struct Block {
     Eigen::VectorXd u;       // diagonal of U (own)
     Eigen::MatrixXd own;     // (rows, own)
     Eigen::MatrixXd shared;  // (rows, shared)
-    Eigen::Index plus = 0;
+    Eigen::Index plus = 0;   // number of rows with weight 1
   };
   static std::optional<Block> eliminate(const ArrowSquares& matrix, int block,
                                         const std::vector<bool>& free);
@@ -72,7 +76,7 @@ class ArrowSquaresFactor {
   ArrowLayout layout_;
   std::vector<bool> free_;
   std::vector<Block> blocks_;
-  Eigen::LLT<Eigen::MatrixXd> shared_;  // of what the blocks leave of it
+  Eigen::LLT<Eigen::MatrixXd> shared_;  // factor of the Schur complement
 };
 
 }  // namespace thenar

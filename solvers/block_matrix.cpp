@@ -9,31 +9,33 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMinPivot = 1e-13;  // Least pivot, over the trace of the block [1]
+constexpr double kMinPivot = 1e-13;  // minimum pivot over the trace of its block [1]
 
+/// Neighbours of each row in the graph of nonzero blocks.
 using Neighbours = std::vector<std::set<int>>;
 
-/// Row of least degree that has not been eliminated.
-int least_degree(const Neighbours& joined, const std::vector<bool>& gone) {
+/// Returns the remaining row with the fewest neighbours.
+int min_degree_row(const Neighbours& neighbours, const std::vector<bool>& eliminated) {
   int best = -1;
-  for (int i = 0; i < static_cast<int>(joined.size()); ++i)
-    if (!gone[i] && (best < 0 || joined[i].size() < joined[best].size())) best = i;
+  for (int i = 0; i < static_cast<int>(neighbours.size()); ++i)
+    if (!eliminated[i] && (best < 0 || neighbours[i].size() < neighbours[best].size())) best = i;
   return best;
 }
 
-/// Eliminates rows by least degree; leaves in joined[i] the rows that follow i.
-std::vector<int> eliminate(Neighbours& joined) {
+/// Eliminates rows in minimum-degree order; afterwards, joined[i] holds the later rows coupled to
+/// i.
+std::vector<int> eliminate(Neighbours& neighbours) {
   std::vector<int> order;
-  std::vector<bool> gone(joined.size(), false);
-  // The neighbours of an eliminated row become neighbours of each other.
-  while (order.size() < joined.size()) {
-    const int k = least_degree(joined, gone);
-    gone[k] = true;
+  std::vector<bool> eliminated(neighbours.size(), false);
+  // Eliminate a row: its neighbours become neighbours of each other.
+  while (order.size() < neighbours.size()) {
+    const int k = min_degree_row(neighbours, eliminated);
+    eliminated[k] = true;
     order.push_back(k);
-    for (int i : joined[k]) {
-      joined[i].erase(k);
-      for (int j : joined[k])
-        if (i != j) joined[i].insert(j);
+    for (int i : neighbours[k]) {
+      neighbours[i].erase(k);
+      for (int j : neighbours[k])
+        if (i != j) neighbours[i].insert(j);
     }
   }
   return order;
@@ -43,19 +45,19 @@ std::vector<int> eliminate(Neighbours& joined) {
 
 BlockPattern::BlockPattern(int n, const std::vector<std::pair<int, int>>& edges)
     : place_(n), start_(n + 1, 0), update_start_(n + 1, 0) {
-  // Graph of the rows, and its elimination order.
-  Neighbours joined(n);
+  // Order the rows of the graph.
+  Neighbours neighbours(n);
   for (const auto& [i, j] : edges)
-    if (i != j) joined[i].insert(j), joined[j].insert(i);
-  const std::vector<int> order = eliminate(joined);
+    if (i != j) neighbours[i].insert(j), neighbours[j].insert(i);
+  const std::vector<int> order = eliminate(neighbours);
   for (int k = 0; k < n; ++k) place_[order[k]] = k;
-  // Blocks of each column, fill included.
+  // List the blocks of each column, including fill-in.
   for (int k = 0; k < n; ++k) {
-    for (int i : joined[order[k]]) row_.push_back(place_[i]), column_.push_back(k);
+    for (int i : neighbours[order[k]]) row_.push_back(place_[i]), column_.push_back(k);
     std::sort(row_.begin() + start_[k], row_.end());
     start_[k + 1] = blocks();
   }
-  // Updates that each column makes to later blocks.
+  // List the updates that each column makes to later blocks.
   for (int k = 0; k < n; ++k) {
     for (int left = start_[k]; left < start_[k + 1]; ++left)
       for (int right = start_[k]; right <= left; ++right)
@@ -73,41 +75,41 @@ int BlockPattern::slot(int i, int j) const {
 
 BlockFactor::BlockFactor(const BlockPattern& pattern)
     : pattern_(&pattern), A_(pattern), l_(pattern.size()), d_(pattern.size()) {
-  int tallest = 0;
+  int max_blocks = 0;
   for (int k = 0; k < pattern.size(); ++k)
-    tallest = std::max(tallest, pattern.start_[k + 1] - pattern.start_[k]);
-  W_.resize(tallest);
+    max_blocks = std::max(max_blocks, pattern.start_[k + 1] - pattern.start_[k]);
+  W_.resize(max_blocks);
 }
 
 bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relative) {
-  const BlockPattern& at = *pattern_;
+  const BlockPattern& pattern = *pattern_;
   std::copy(A.diagonal.begin(), A.diagonal.end(), A_.diagonal.begin());
   std::copy(A.off.begin(), A.off.end(), A_.off.begin());
   bad_block_ = -1;
   std::vector<Matrix3d>& off = A_.off;
-  // Column by column.
-  for (int k = 0; k < at.size(); ++k) {
+  // Factorise column by column.
+  for (int k = 0; k < pattern.size(); ++k) {
     const Matrix3d& D = A_.diagonal[k];
     const double trace = std::abs(A.diagonal[k].trace()), shift = absolute + relative * trace;
-    const double least = kMinPivot * (trace + 3 * shift);
-    // Scalar factor of the diagonal block.
+    const double min_pivot = kMinPivot * (trace + 3 * shift);
+    // Factorise the diagonal block.
     const double d0 = D(0, 0) + shift, l10 = D(1, 0) / d0, l20 = D(2, 0) / d0;
     const double d1 = D(1, 1) + shift - l10 * D(1, 0), m21 = D(2, 1) - l20 * D(1, 0),
                  l21 = m21 / d1;
     const double d2 = D(2, 2) + shift - l20 * D(2, 0) - l21 * m21;
     l_[k] << l10, l20, l21;
     d_[k] << d0, d1, d2;
-    // A pivot that is not positive ends the factorisation.
+    // Stop at a pivot that is not positive.
     for (int r = 0; r < 3; ++r) {
-      if (d_[k](r) > least) continue;
+      if (d_[k](r) > min_pivot) continue;
       bad_block_ = k;
       bad_row_ = r;
       if (r == 0) l_[k].setZero();
       if (r == 1) l_[k].tail<2>().setZero();
       return false;
     }
-    // W = B l^-T, kept in a copy of the column; V = W / d takes the place of B.
-    const int first = at.start_[k], last = at.start_[k + 1];
+    // Compute W = B l^-T in a copy of the column, and replace B by V = W / d.
+    const int first = pattern.start_[k], last = pattern.start_[k + 1];
     for (int s = first; s < last; ++s) {
       Matrix3d& w = W_[s - first];
       w = off[s];
@@ -117,9 +119,9 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
       off[s].col(1) = w.col(1) / d1;
       off[s].col(2) = w.col(2) / d2;
     }
-    // Updates of later blocks.
-    for (int u = at.update_start_[k]; u < at.update_start_[k + 1]; ++u) {
-      const BlockPattern::Update& up = at.update_[u];
+    // Update later blocks.
+    for (int u = pattern.update_start_[k]; u < pattern.update_start_[k + 1]; ++u) {
+      const BlockPattern::Update& up = pattern.update_[u];
       Matrix3d& target = up.target < 0 ? A_.diagonal[~up.target] : off[up.target];
       target.noalias() -= W_[up.left - first] * off[up.right].transpose();
     }
@@ -128,18 +130,19 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
 }
 
 void BlockFactor::solve(std::vector<Vector3d>& y) const {
-  const BlockPattern& at = *pattern_;
+  const BlockPattern& pattern = *pattern_;
   // Forward substitution.
-  for (int k = 0; k < at.size(); ++k) {
+  for (int k = 0; k < pattern.size(); ++k) {
     y[k](1) -= l_[k](0) * y[k](0);
     y[k](2) -= l_[k](1) * y[k](0) + l_[k](2) * y[k](1);
-    for (int s = at.start_[k]; s < at.start_[k + 1]; ++s) y[at.row_[s]] -= A_.off[s] * y[k];
+    for (int s = pattern.start_[k]; s < pattern.start_[k + 1]; ++s)
+      y[pattern.row_[s]] -= A_.off[s] * y[k];
   }
-  // Diagonal and back substitution.
-  for (int k = at.size() - 1; k >= 0; --k) {
+  // Division by the diagonal and back substitution.
+  for (int k = pattern.size() - 1; k >= 0; --k) {
     y[k] = y[k].cwiseQuotient(d_[k]);
-    for (int s = at.start_[k]; s < at.start_[k + 1]; ++s)
-      y[k] -= A_.off[s].transpose() * y[at.row_[s]];
+    for (int s = pattern.start_[k]; s < pattern.start_[k + 1]; ++s)
+      y[k] -= A_.off[s].transpose() * y[pattern.row_[s]];
     y[k](1) -= l_[k](2) * y[k](2);
     y[k](0) -= l_[k](0) * y[k](1) + l_[k](1) * y[k](2);
   }
@@ -147,20 +150,20 @@ void BlockFactor::solve(std::vector<Vector3d>& y) const {
 
 bool BlockFactor::negative_direction(std::vector<Vector3d>& v) const {
   if (bad_block_ < 0) return false;
-  // L' v = e at the bad pivot: rows after it are zero, rows before follow.
+  // Solve L' v = e for the bad pivot: later rows are zero, earlier rows follow.
   for (Vector3d& row : v) row.setZero();
   Vector3d& bad = v[bad_block_];
   bad(bad_row_) = 1;
-  const auto back = [](const Vector3d& l, Vector3d& y) {
+  const auto substitute_back = [](const Vector3d& l, Vector3d& y) {
     y(1) -= l(2) * y(2);
     y(0) -= l(0) * y(1) + l(1) * y(2);
   };
-  back(l_[bad_block_], bad);
-  const BlockPattern& at = *pattern_;
+  substitute_back(l_[bad_block_], bad);
+  const BlockPattern& pattern = *pattern_;
   for (int k = bad_block_ - 1; k >= 0; --k) {
-    for (int s = at.start_[k]; s < at.start_[k + 1]; ++s)
-      v[k] -= A_.off[s].transpose() * v[at.row_[s]];
-    back(l_[k], v[k]);
+    for (int s = pattern.start_[k]; s < pattern.start_[k + 1]; ++s)
+      v[k] -= A_.off[s].transpose() * v[pattern.row_[s]];
+    substitute_back(l_[k], v[k]);
   }
   return true;
 }

@@ -1,27 +1,29 @@
 #pragma once
 
-/// Shadow prices of the upper bounds of a linear program, also where they are not unique.
+/// Shadow prices of the upper bounds of a linear program, including degenerate optima.
 
 #include "solvers/linear_program.h"
 
 namespace thenar {
 
-/// Prices of upper bounds, the change of the optimum per unit. The optimum is a concave function of
-/// each bound, so that a bound let out by one unit gives at most what the same bound drawn in by
-/// one unit takes.
+/// One-sided shadow prices of upper bounds: the change of the optimum per unit of the bound. The
+/// optimum is a concave function of each bound, so relaxing a bound by one unit gains at most what
+/// tightening it by one unit costs.
 struct BoundPrices {
-  Eigen::VectorXd increase;  // d optimum / d upper bound as it grows; 0 where it does not bind (n)
-  Eigen::VectorXd decrease;  // the same as it shrinks, >= increase; infinite where the program has
-                             // no answer below this bound; NaN where no method proves one (n)
+  Eigen::VectorXd
+      increase;  // d optimum / d upper bound as the bound grows; 0 where it is not active (n)
+  Eigen::VectorXd
+      decrease;  // d optimum / d upper bound as it shrinks, >= increase; infinite if the program is
+                 // infeasible below this bound; NaN if no method certifies a price (n)
 };
 
-/// Least and largest price of every upper bound over all optimal duals: over the duals that are
-/// feasible and, by complementary slackness with best.x, optimal. Where the vertex is not
-/// degenerate the duals are unique and both prices are those of best.duals; elsewhere each price is
-/// a linear program of its own, certified like any other.
+/// Computes the minimum and maximum price of every upper bound over all optimal duals, i.e. the
+/// feasible duals that satisfy complementary slackness with best.x. At a nondegenerate vertex the
+/// duals are unique and both prices are those of best.duals; otherwise each price is the certified
+/// optimum of another linear program.
 ///
-/// @param best  solved, of `program`
-/// @throws InputError if `best` is not solved or has other shapes.
+/// @param best  certified solution of `program`
+/// @throws InputError if `best` is not solved or its shapes disagree.
 /// Source: [Gal1986] for prices at degenerate vertices.
 [[nodiscard]] BoundPrices upper_bound_prices(const LinearProgram& program,
                                              const LinearResult& best);

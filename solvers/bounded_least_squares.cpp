@@ -7,52 +7,54 @@
 namespace thenar {
 namespace {
 
-constexpr double kLeastRadius = 1e-9;  // A fit gives up when its trust radius is below this
-constexpr int kMostSweeps = 400;       // Most sweeps of coordinate descent
-// Descent stops when the largest relative move of a sweep is below this [1]
-constexpr double kSettledMove = 1e-9;
+constexpr double kMinRadius = 1e-9;  // trust radius below which the fit ends
+constexpr int kMaxSweeps = 400;      // maximum number of sweeps of coordinate descent
+// Relative move in a sweep below which coordinate descent has converged [1]
+constexpr double kMoveTolerance = 1e-9;
 
 // Gap of a linearised problem that further sweeps do not reduce
-constexpr double kGapRounding = 1e-6;
+constexpr double kMinGap = 1e-6;
 
-/// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
-Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {
+/// Returns the minimiser of the linearised problem in the trust region, and stores its gap in
+/// `current`.
+Eigen::VectorXd trust_region_step(const BoundedFit& fit, BoundedFitResult& current, double radius) {
   // Gauss-Newton Hessian, slightly regularised.
-  Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
+  Eigen::MatrixXd H = current.residuals.J.transpose() * current.residuals.J;
   H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
-  const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
-  // Bounds and trust region.
-  const Eigen::VectorXd lower = (fit.lower - now.x).cwiseMax(-radius);
-  const Eigen::VectorXd upper = (fit.upper - now.x).cwiseMin(radius);
+  const Eigen::VectorXd g = 2 * current.residuals.J.transpose() * current.residuals.r + fit.price;
+  // Intersect bounds and trust region.
+  const Eigen::VectorXd lower = (fit.lower - current.x).cwiseMax(-radius);
+  const Eigen::VectorXd upper = (fit.upper - current.x).cwiseMin(radius);
   Eigen::VectorXd d = bounded_quadratic(H, g, lower, upper);
-  now.gap = quadratic_gap(H, g, lower, upper, d);
+  current.gap = quadratic_gap(H, g, lower, upper, d);
   return d;
 }
 
-/// Cost of the linearised problem after a step, less the cost now.
-double foreseen_change(const BoundedFit& fit, const BoundedFitResult& now,
-                       const Eigen::VectorXd& d) {
-  return (now.at.r + now.at.J * d).squaredNorm() - now.at.r.squaredNorm() + fit.price.dot(d);
+/// Returns the change of the cost that the linearised problem predicts for a step.
+double predicted_change(const BoundedFit& fit, const BoundedFitResult& current,
+                        const Eigen::VectorXd& d) {
+  return (current.residuals.r + current.residuals.J * d).squaredNorm() -
+         current.residuals.r.squaredNorm() + fit.price.dot(d);
 }
 
 }  // namespace
 
 Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  // Coordinate descent from the nearest point to zero.
+  // Coordinate descent from the feasible point nearest to zero.
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
   Eigen::VectorXd slope = 2 * H * d + g;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    double moved = 0;
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    double largest_move = 0;
     for (Eigen::Index i = 0; i < g.size(); ++i) {
-      const double wanted = d(i) - slope(i) / (2 * H(i, i));
-      const double move = std::clamp(wanted, lower(i), upper(i)) - d(i);
+      const double unbounded = d(i) - slope(i) / (2 * H(i, i));
+      const double move = std::clamp(unbounded, lower(i), upper(i)) - d(i);
       if (move == 0) continue;
       d(i) += move;
       slope += 2 * move * H.col(i);
-      moved = std::max(moved, std::abs(move) / (std::abs(d(i)) + kSettledMove));
+      largest_move = std::max(largest_move, std::abs(move) / (std::abs(d(i)) + kMoveTolerance));
     }
-    if (moved < kSettledMove) break;
+    if (largest_move < kMoveTolerance) break;
   }
   return d;
 }
@@ -69,36 +71,37 @@ double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
 
 BoundedFitResult bounded_least_squares(const BoundedFit& fit, const Eigen::VectorXd& x0,
                                        const BoundedFitOptions& options) {
-  BoundedFitResult now;
+  BoundedFitResult current;
   // Start within the bounds.
-  now.x = x0.cwiseMax(fit.lower).cwiseMin(fit.upper);
-  now.at = fit.residuals(now.x, Sensitivities::kWith);
-  now.possible = now.at.possible;
-  if (!now.possible) return now;
-  now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
-  double radius = options.radius;
-  // Steps within the trust region.
-  for (; now.steps < options.max_steps && radius > kLeastRadius; ++now.steps) {
-    const Eigen::VectorXd d = trusted_step(fit, now, radius);
-    // Converged if the linearised problem promises too little.
-    const double foreseen = foreseen_change(fit, now, d);
-    const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
-    now.converged = -foreseen < small && now.gap <= std::max(small, kGapRounding);
-    if (-foreseen < small) break;
-    // The step as taken, and how much of the promise it keeps.
-    const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
+  current.x = x0.cwiseMax(fit.lower).cwiseMin(fit.upper);
+  current.residuals = fit.residuals(current.x, Sensitivities::kWith);
+  current.possible = current.residuals.possible;
+  if (!current.possible) return current;
+  current.cost = current.residuals.r.squaredNorm() + fit.price.dot(current.x);
+  double radius = options.max_radius;
+  // Take steps within the trust region.
+  for (; current.steps < options.max_steps && radius > kMinRadius; ++current.steps) {
+    const Eigen::VectorXd d = trust_region_step(fit, current, radius);
+    // Stop if the linearised problem predicts too little improvement.
+    const double predicted = predicted_change(fit, current, d);
+    const double min_decrease =
+        std::max(options.tolerance, options.relative_tolerance * std::abs(current.cost));
+    current.converged = -predicted < min_decrease && current.gap <= std::max(min_decrease, kMinGap);
+    if (-predicted < min_decrease) break;
+    // Evaluate the step, and compare actual and predicted change.
+    const Eigen::VectorXd x = (current.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
     FitResiduals next = fit.residuals(x, Sensitivities::kWith);
     const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
-    const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
-    // Trust region by that ratio; bad steps are not taken.
+    const double ratio = next.possible ? (cost - current.cost) / predicted : -1;
+    // Adapt the trust region; reject bad steps.
     if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
-    if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
+    if (ratio > 0.75) radius = std::min(2 * radius, options.max_radius);
     if (ratio < 1e-3) continue;
-    now.x = x;
-    now.cost = cost;
-    now.at = std::move(next);
+    current.x = x;
+    current.cost = cost;
+    current.residuals = std::move(next);
   }
-  return now;
+  return current;
 }
 
 }  // namespace thenar

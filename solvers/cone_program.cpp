@@ -20,13 +20,13 @@ using Eigen::VectorXd;
 using internal::ConeScaling;
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-constexpr double kRankPivot = 1e-11;  // Pivots below this share of the largest count as zero [1]
-// Relative misfit of dependent equalities that rounding explains [1]
+constexpr double kRankPivot = 1e-11;  // pivot, over the largest, below which it counts as zero [1]
+// Relative residual of dependent equalities that rounding may cause [1]
 constexpr double kConsistencyError = 1e-9;
-constexpr int kStepRefinements = 2;  // Refinements of a Newton step
-// A run stalls after so many iterations without a better iterate or proof
+constexpr int kStepRefinements = 2;  // iterative refinements of a Newton step
+// Iterations without a better iterate or certificate after which a run stalls
 constexpr int kStalledIterations = 12;
-constexpr double kShyOfBoundary = 0.99;  // Share of the way to the boundary that a step takes [1]
+constexpr double kBoundaryFraction = 0.99;  // step length over the distance to the boundary [1]
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();
@@ -42,16 +42,17 @@ void check(const ConeProgram& p) {
       "the cone programme must be finite");
 }
 
-/// minimise c' v  subject to  h - G v in K, where x = x0 + N v.
-struct Reduced {
+/// Reduced problem:  minimise c' v  subject to  h - G v in K, where x = x0 + N v.
+struct ReducedProgram {
   VectorXd x0, c, h;
   MatrixXd N, G;
 };
 
+/// Result of the elimination of equalities and free directions.
 struct Presolve {
-  std::optional<Reduced> reduced;  // nothing: the equalities contradict each other
-  VectorXd misfit;                 // then A x - b of least length
-  VectorXd falling;                // no cone sees it, the objective falls along it; may be empty
+  std::optional<ReducedProgram> reduced;  // empty: the equalities are inconsistent
+  VectorXd misfit;                        // least-squares residual A x - b
+  VectorXd descent;  // direction of descent that no cone constrains; may be empty
 };
 
 Qr rank_revealing(const MatrixXd& M) {
@@ -61,7 +62,7 @@ Qr rank_revealing(const MatrixXd& M) {
   return qr;
 }
 
-/// Orthonormal bases of the columns of M' and of what M maps to zero.
+/// Orthonormal bases of the row space and the null space of M.
 struct RowSpaces {
   MatrixXd row_space, null_space;
 };
@@ -72,25 +73,25 @@ RowSpaces row_spaces(const MatrixXd& M) {
   return {Q.leftCols(qr.rank()), Q.rightCols(M.cols() - qr.rank())};
 }
 
-/// Removes equalities, then directions that no cone sees.
+/// Eliminates equalities, then directions that no cone constrains.
 Presolve presolve(const ConeProgram& p) {
   Presolve result;
-  // A point that obeys the equalities, to least squares.
+  // Find the least-squares solution of the equalities.
   VectorXd x0 = VectorXd::Zero(p.c.size());
   if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
   if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
   if (result.misfit.norm() > kConsistencyError * (1 + p.b.norm())) return result;
-  // Directions within the equalities that cones see.
+  // Find the directions within the equalities that cones constrain.
   MatrixXd N =
       p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
-  const RowSpaces seen = row_spaces(p.G * N);
+  const RowSpaces constrained = row_spaces(p.G * N);
   const VectorXd c = N.transpose() * p.c;
-  // The objective falls along a direction that no cone sees.
-  const VectorXd unseen = seen.null_space.transpose() * c;
-  if (unseen.norm() > kConsistencyError * (1 + c.norm()))
-    result.falling = -N * seen.null_space * unseen;
-  N = (N * seen.row_space).eval();
-  result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
+  // Project the objective on the unconstrained directions.
+  const VectorXd free_gradient = constrained.null_space.transpose() * c;
+  if (free_gradient.norm() > kConsistencyError * (1 + c.norm()))
+    result.descent = -N * constrained.null_space * free_gradient;
+  N = (N * constrained.row_space).eval();
+  result.reduced = ReducedProgram{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
   return result;
 }
 
@@ -101,13 +102,13 @@ class KktSolver {
     if (G.cols() > 0) qr_.compute(scaled_G_);
   }
 
-  /// Solves with refinement: near the optimum W is so far from a multiple of 1 that QR alone loses
+  /// Solves with iterative refinement: near the optimum W is so ill-conditioned that QR alone loses
   /// half of the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
-    factored(a, b, x, z);
+    solve_once(a, b, x, z);
     VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
     for (int again = 0; again < kStepRefinements; ++again) {
-      factored(left_a, left_b, dx, dz);
+      solve_once(left_a, left_b, dx, dz);
       const VectorXd next_x = x + dx, next_z = z + dz;
       const VectorXd next_a = a - G_.transpose() * next_z,
                      next_b = b - G_ * next_x + W_.times(W_.times(next_z));
@@ -120,7 +121,8 @@ class KktSolver {
   }
 
  private:
-  void factored(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+  /// Solves once with the QR factors.
+  void solve_once(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     const VectorXd scaled_b = W_.divide(b);
     x = VectorXd::Zero(a.size());
     if (a.size() > 0) {
@@ -138,32 +140,34 @@ class KktSolver {
   Eigen::HouseholderQR<MatrixXd> qr_;
 };
 
-/// The homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa = 0.
+/// Iterate of the homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa =
+/// 0.
 class Embedding {
  public:
-  Embedding(const Reduced& p, const std::vector<int>& cones)
+  Embedding(const ReducedProgram& p, const std::vector<int>& cones)
       : p_(p), cones_(cones), e_(internal::cone_identity(cones)), s(e_), z(e_) {
     x = VectorXd::Zero(p.c.size());
   }
 
+  /// Takes one predictor-corrector step.
   void step() {
     const ConeScaling W(cones_, s, z);
     const KktSolver kkt(p_.G, W);
     const VectorXd lambda = W.times(z);
-    const Step toward_h = solve_for(kkt, -p_.c, p_.h);
+    const Step h_direction = solve_for(kkt, -p_.c, p_.h);
     const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
-    const Step affine = direction(kkt, W, lambda, toward_h, {1, pure, -kappa * tau});
-    // Centring from the length of the affine step.
+    const Step affine = direction(kkt, W, lambda, h_direction, {1, pure, -kappa * tau});
+    // Choose the centring parameter from the length of the affine step.
     const double length = step_length(W, lambda, affine, 1);
     const double sigma = std::pow(1 - length, 3);
     const VectorXd corrected =
         pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
         sigma * gap_per_cone() * e_;
-    // Corrected direction, and a step that stays inside.
+    // Take a step along the corrected direction that stays in the interior.
     const Step full = direction(
-        kkt, W, lambda, toward_h,
+        kkt, W, lambda, h_direction,
         {1 - sigma, corrected, -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone()});
-    advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
+    advance(full, std::min(1.0, kBoundaryFraction * step_length(W, lambda, full, kInfinity)));
   }
 
   [[nodiscard]] VectorXd dual_residual() const { return p_.G.transpose() * z + p_.c * tau; }
@@ -175,11 +179,11 @@ class Embedding {
     VectorXd x, s, z;
     double tau = 0, kappa = 0;
   };
-  /// Target of a direction.
-  struct Aim {
-    double share;      // by which it cuts the residuals [1]
-    VectorXd product;  // lambda o (...)
-    double kappa_tau;  // the same of kappa and tau
+  /// Right-hand side of a Newton direction.
+  struct NewtonTarget {
+    double share;      // fraction of the residuals to be removed [1]
+    VectorXd product;  // right-hand side of lambda o (...)
+    double kappa_tau;  // right-hand side of the equation of kappa and tau
   };
 
   static Step solve_for(const KktSolver& kkt, const VectorXd& a, const VectorXd& b) {
@@ -192,27 +196,27 @@ class Embedding {
     return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
   }
 
-  /// Newton's direction that cuts the residuals by `aim.share` and makes lambda o (...) =
-  /// aim.product.
+  /// Computes the Newton direction that removes the fraction `target.share` of the residuals and
+  /// satisfies lambda o (...) = aim.product.
   [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
-                               const Step& toward_h, const Aim& aim) const {
-    const double share = aim.share, kappa_tau = aim.kappa_tau;
-    const VectorXd ratio = internal::cone_quotient(cones_, lambda, aim.product);
+                               const Step& h_direction, const NewtonTarget& target) const {
+    const double share = target.share, kappa_tau = target.kappa_tau;
+    const VectorXd ratio = internal::cone_quotient(cones_, lambda, target.product);
     Step step =
         solve_for(kkt, -share * dual_residual(), -share * primal_residual() - W.times(ratio));
     const double left =
         -share * gap_residual() - kappa_tau / tau - p_.c.dot(step.x) - p_.h.dot(step.z);
-    step.tau = left / (p_.c.dot(toward_h.x) + p_.h.dot(toward_h.z) - kappa / tau);
-    step.x += step.tau * toward_h.x;
-    step.z += step.tau * toward_h.z;
+    step.tau = left / (p_.c.dot(h_direction.x) + p_.h.dot(h_direction.z) - kappa / tau);
+    step.x += step.tau * h_direction.x;
+    step.z += step.tau * h_direction.z;
     step.kappa = (kappa_tau - kappa * step.tau) / tau;
-    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // keeps feasibility
+    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // preserves feasibility
     return step;
   }
 
   [[nodiscard]] double step_length(const ConeScaling& W, const VectorXd& lambda, const Step& step,
-                                   double most) const {
-    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), most);
+                                   double max_error) const {
+    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), max_error);
     length = internal::step_to_cone(cones_, lambda, W.times(step.z), length);
     if (step.tau < 0) length = std::min(length, -tau / step.tau);
     if (step.kappa < 0) length = std::min(length, -kappa / step.kappa);
@@ -227,7 +231,7 @@ class Embedding {
     kappa += length * step.kappa;
   }
 
-  const Reduced& p_;
+  const ReducedProgram& p_;
   const std::vector<int>& cones_;
   VectorXd e_;
 
@@ -236,13 +240,14 @@ class Embedding {
   double tau = 1, kappa = 1;
 };
 
+/// Errors of an iterate as solution and as certificates.
 struct IterateQuality {
   double solved;      // KKT residual of (x, s, z) / tau
-  double infeasible;  // of z as a certificate: |G'z| with h'z = -1
-  double unbounded;   // of x as a certificate: |G x + s| with c'x = -1
+  double infeasible;  // residual of z as a certificate: |G'z| with h'z = -1
+  double unbounded;   // residual of x as a certificate: |G x + s| with c'x = -1
 };
 
-IterateQuality progress_of(const Reduced& p, const Embedding& e) {
+IterateQuality measure_iterate(const ReducedProgram& p, const Embedding& e) {
   const double cx = p.c.dot(e.x) / e.tau, hz = p.h.dot(e.z) / e.tau;
   const double primal = e.primal_residual().norm() / e.tau / (1 + p.h.norm());
   const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
@@ -253,24 +258,25 @@ IterateQuality progress_of(const Reduced& p, const Embedding& e) {
           cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
 }
 
-struct Core {
+/// Best iterate and certificates of the reduced problem.
+struct BestIterate {
   Status status = Status::kStalled;
   VectorXd v, z;
   double residual = kInfinity;
-  double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
-  VectorXd infeasible_z, unbounded_v;                    // what they are made of
-  int iterations = 0, last_better = 0;
+  double infeasible = kInfinity, unbounded = kInfinity;  // errors of the best certificates
+  VectorXd infeasible_z, unbounded_v;                    // best certificates
+  int iterations = 0, last_better = 0;  // iterations done, and the last one with an improvement
 };
 
-void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progress) {
-  // Best certificates so far.
+void update_best(BestIterate& best, const Embedding& e, const IterateQuality& progress) {
+  // Keep the best certificates.
   if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
     best.last_better = best.iterations;
   if (progress.infeasible < best.infeasible) best.infeasible_z = e.z;
   if (progress.unbounded < best.unbounded) best.unbounded_v = e.x;
   best.infeasible = std::min(best.infeasible, progress.infeasible);
   best.unbounded = std::min(best.unbounded, progress.unbounded);
-  // Best iterate so far.
+  // Keep the best iterate.
   if (!(progress.solved < best.residual)) return;
   best.last_better = best.iterations;
   best.residual = progress.solved;
@@ -279,26 +285,28 @@ void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progre
 }
 
 /// Returns the status that the best iterate and the best certificates prove to a tolerance.
-Status status_of(const Core& best, double tolerance) {
+Status status_of(const BestIterate& best, double tolerance) {
   if (best.residual <= tolerance) return Status::kSolved;
   if (best.infeasible <= tolerance) return Status::kInfeasible;
   if (best.unbounded <= tolerance) return Status::kUnbounded;
   return Status::kStalled;
 }
 
-Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
+/// Iterates until something is proved, or nothing improves any more.
+BestIterate solve_reduced(const ReducedProgram& p, const std::vector<int>& cones,
+                          const ConeOptions& options) {
   Embedding embedding(p, cones);
-  Core best;
+  BestIterate best;
   best.v = VectorXd::Zero(p.c.size());
   best.z = VectorXd::Zero(p.h.size());
   for (;; ++best.iterations) {
-    keep_if_better(best, embedding, progress_of(p, embedding));
+    update_best(best, embedding, measure_iterate(p, embedding));
     best.status = status_of(best, options.tolerance);
     if (best.status != Status::kStalled) return best;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
     if (lost || best.iterations == options.max_iterations ||
         best.iterations - best.last_better > kStalledIterations) {
-      best.status = status_of(best, options.acceptable);
+      best.status = status_of(best, options.acceptable_tolerance);
       if (best.status == Status::kStalled && best.iterations == options.max_iterations)
         best.status = Status::kLimit;
       return best;
@@ -307,14 +315,13 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
   }
 }
 
-/// Multipliers of the equalities, from  A'y = rest.
+/// Solves A'y = rest for the multipliers of the equalities.
 VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& rest) {
   if (p.A.size() == 0) return VectorXd::Zero(p.b.size());
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose()).solve(rest);
 }
 
-/// Returns the largest distance of the parts of v outside of their cones; negative if all lie
-/// inside.
+/// Returns the largest distance of the parts of v from their cones; negative if all are inside.
 double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   double worst = 0;
   Index row = 0;
@@ -325,26 +332,26 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   return worst;
 }
 
-/// KKT conditions of the programme as it was asked, before anything was removed from it.
+/// Returns the largest KKT residual of the original program.
 double residual_of(const ConeProgram& p, const ConeResult& r) {
-  // Each error over one plus the size of its terms.
-  const auto over = [](double error, double size) { return error / (1 + size); };
+  // Divide each error by one plus the size of its terms.
+  const auto relative = [](double error, double size) { return error / (1 + size); };
   VectorXd stationary = p.c + p.G.transpose() * r.z;
   double equalities = 0;
   if (p.A.size() > 0) {
     stationary += p.A.transpose() * r.y;
-    equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
+    equalities = relative((p.A * r.x - p.b).norm(), p.b.norm());
   }
-  return max_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
-                     over(stationary.norm(), p.c.norm()),
-                     over(outside_cones(r.z, p.cones), r.z.norm()),
-                     over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+  return max_or_nan({equalities, relative(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+                     relative(stationary.norm(), p.c.norm()),
+                     relative(outside_cones(r.z, p.cones), r.z.norm()),
+                     relative(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
-/// Measures the error of y and z as Farkas' proof of infeasibility: with A'y + G'z = e, z in K and
-/// -(b'y + h'z) = g > 0, no x shorter than g / |e| obeys all.
+/// Returns the error of y and z as a Farkas certificate of infeasibility: with A'y + G'z = e, z in
+/// K and -(b'y + h'z) = g > 0, no x shorter than g / |e| is feasible.
 /// @return the larger of |e| / g and the relative distance of z outside of K, infinite if g <= 0
-double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
+double farkas_error(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
   VectorXd e = p.G.transpose() * z;
   double gain = -p.h.dot(z);
   if (p.A.size() > 0) e += p.A.transpose() * y;
@@ -353,10 +360,10 @@ double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd
   return max_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
 }
 
-/// Measures the error of d as a direction along which the objective falls without end: A d = 0, -G
-/// d in K, c'd < 0.
-/// @return largest violation over -c'd, infinite if the objective does not fall
-double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
+/// Returns the error of d as a direction along which the objective decreases without limit: A d =
+/// 0, -G d in K, c'd < 0.
+/// @return largest violation over -c'd; infinite if the objective does not decrease
+double recession_error(const ConeProgram& p, const VectorXd& d) {
   const double gain = -p.c.dot(d);
   if (!(gain > 0)) return kInfinity;
   const double equalities = p.A.size() > 0 ? (p.A * d).norm() : 0;
@@ -364,7 +371,7 @@ double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
 }
 
 /// Returns a result without an answer, kStalled.
-ConeResult unanswered(const ConeProgram& p) {
+ConeResult stalled_result(const ConeProgram& p) {
   return {Status::kStalled,
           VectorXd::Zero(p.c.size()),
           VectorXd::Zero(p.b.size()),
@@ -375,72 +382,72 @@ ConeResult unanswered(const ConeProgram& p) {
           0};
 }
 
-/// Infeasible, if y and z of the result prove it.
-bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
-  result.residual = misses_infeasible(p, result.y, result.z);
-  if (result.residual <= most) result.status = Status::kInfeasible;
+/// Sets kInfeasible if y and z of the result prove it; returns whether they do.
+bool certify_infeasible(const ConeProgram& p, double max_error, ConeResult& result) {
+  result.residual = farkas_error(p, result.y, result.z);
+  if (result.residual <= max_error) result.status = Status::kInfeasible;
   return result.status == Status::kInfeasible;
 }
 
-/// Unbounded, if the objective falls along a direction, and there is a point to start from; that
-/// there is none may come out instead.
-// NOLINTNEXTLINE(misc-no-recursion): once, without objective
-bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
-                      double most, ConeResult& result) {
-  const double missing = misses_unbounded(p, direction);
-  if (!(missing <= most)) return false;
+/// Sets kUnbounded if the objective decreases along a direction and a feasible point exists; the
+/// search for that point may prove kInfeasible instead. Returns whether the status was decided.
+// NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
+bool certify_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
+                       double max_error, ConeResult& result) {
+  const double error = recession_error(p, direction);
+  if (!(error <= max_error)) return false;
   ConeProgram without_objective = p;
   without_objective.c.setZero();
   const ConeResult point = solve(without_objective, options);
   if (point.status == Status::kInfeasible) result = point;
   if (point.status != Status::kSolved) return point.status == Status::kInfeasible;
   result.status = Status::kUnbounded;
-  result.residual = missing;
+  result.residual = error;
   result.objective = result.dual = -kInfinity;
   return true;
 }
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-no-recursion): once, without objective
+// NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
-  const double most = 10 * options.acceptable;
+  const double max_error = 10 * options.acceptable_tolerance;
   const Presolve pre = presolve(program);
-  ConeResult result = unanswered(program);
-  // The equalities contradict each other.
+  ConeResult result = stalled_result(program);
+  // Inconsistent equalities prove infeasibility.
   if (!pre.reduced) {
     result.y = pre.misfit;
-    (void)settle_infeasible(program, most, result);
+    (void)certify_infeasible(program, max_error, result);
     return result;
   }
-  const Core core = solve_reduced(*pre.reduced, program.cones, options);
-  // Back to the variables that were asked for.
+  const BestIterate best = solve_reduced(*pre.reduced, program.cones, options);
+  // Return to the original variables.
   const MatrixXd& N = pre.reduced->N;
-  result.iterations = core.iterations;
-  result.x = pre.reduced->x0 + N * core.v;
+  result.iterations = best.iterations;
+  result.x = pre.reduced->x0 + N * best.v;
 
-  // That there is no point, or no least one, the method does not say on its own word.
-  if (core.status == Status::kInfeasible) {
-    result.z = core.infeasible_z;
+  // Verify claims of infeasibility and unboundedness on the original program.
+  if (best.status == Status::kInfeasible) {
+    result.z = best.infeasible_z;
     result.y = equality_multipliers(program, -program.G.transpose() * result.z);
-    if (settle_infeasible(program, most, result)) return result;
+    if (certify_infeasible(program, max_error, result)) return result;
   }
-  const bool falls = core.status == Status::kSolved && pre.falling.size() > 0;
-  if ((core.status == Status::kUnbounded || falls) &&
-      settle_unbounded(program, falls ? pre.falling : VectorXd(N * core.unbounded_v), options, most,
-                       result))
+  const bool has_descent = best.status == Status::kSolved && pre.descent.size() > 0;
+  if ((best.status == Status::kUnbounded || has_descent) &&
+      certify_unbounded(program, has_descent ? pre.descent : VectorXd(N * best.unbounded_v),
+                        options, max_error, result))
     return result;
 
-  // Multipliers and residual of the programme as asked.
-  result.z = core.z;
+  // Compute multipliers and residual of the original program.
+  result.z = best.z;
   result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
-  result.residual = max_or_nan(core.residual, residual_of(program, result));
-  if (core.status == Status::kSolved && !falls && result.residual <= most)
+  result.residual = max_or_nan(best.residual, residual_of(program, result));
+  if (best.status == Status::kSolved && !has_descent && result.residual <= max_error)
     result.status = Status::kSolved;
-  else if (core.status == Status::kLimit)
+  else if (best.status == Status::kLimit)
     result.status = Status::kLimit;
   return result;
 }

@@ -20,7 +20,7 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Largest distance of a point outside a plane, over the extent [1]
-constexpr double kContainedShare = 1e-10;
+constexpr double kContainmentTolerance = 1e-10;
 
 /// File to which Qhull writes its messages.
 class MessageFile {
@@ -46,18 +46,18 @@ class MessageFile {
   FILE* file_;
 };
 
-/// One run of Qhull, freed at the end.
+/// Run of Qhull; its memory is freed at the end.
 class Qhull {
  public:
   explicit Qhull(RowMajor points) : points_(std::move(points)) {
     qh_zero(&qh_, messages_.file());
-    char command[] = "qhull Pp";  // no joggle, no warnings about precision
+    char command[] = "qhull Pp";  // no joggling, no warnings about precision
     exit_code_ =
         qh_new_qhull(&qh_, static_cast<int>(points_.cols()), static_cast<int>(points_.rows()),
                      points_.data(), False, command, nullptr, messages_.file());
   }
   ~Qhull() {
-    qh_freeqhull(&qh_, False);  // long blocks only; short ones follow
+    qh_freeqhull(&qh_, False);  // frees long blocks only; short ones follow
     int blocks = 0, bytes = 0;
     qh_memfreeshort(&qh_, &blocks, &bytes);
   }
@@ -70,7 +70,7 @@ class Qhull {
 
   [[nodiscard]] std::vector<HullFacet> facets() {
     std::vector<HullFacet> result;
-    qhT* qh = &qh_;  // the name Qhull's macros look for
+    qhT* qh = &qh_;  // name that Qhull's macros expect
     facetT* facet = nullptr;
     FORALLfacets {
       HullFacet side{
@@ -93,22 +93,22 @@ class Qhull {
 /// Orders the corners of a convex polygon in space counterclockwise about its normal.
 void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet) {
   const auto corner = [&](int row) -> Eigen::Vector3d { return points.row(row); };
-  // Centre and axes of the polygon.
+  // Find the centre and axes of the polygon.
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int row : facet.ring) centre += corner(row) / static_cast<double>(facet.ring.size());
   const Tangents axes = tangents(facet.normal);
   const auto angle = [&](int row) {
-    const Eigen::Vector3d arm = corner(row) - centre;
-    return std::atan2(arm.dot(axes.e2), arm.dot(axes.e1));
+    const Eigen::Vector3d offset = corner(row) - centre;
+    return std::atan2(offset.dot(axes.e2), offset.dot(axes.e1));
   };
   std::sort(facet.ring.begin(), facet.ring.end(),
             [&](int a, int b) { return angle(a) < angle(b); });
 }
 
-/// Returns whether every edge of every ring is run through once each way, and Euler's formula
-/// holds.
+/// Returns whether every edge of every ring is traversed once in each direction, and Euler's
+/// formula holds.
 bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
-  // Each edge is walked once each way.
+  // Match each edge with the opposite one.
   std::set<std::pair<int, int>> open;
   std::set<int> corners;
   std::size_t edges = 0;
@@ -120,44 +120,45 @@ bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
       if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
     }
   }
-  // Euler's formula.
+  // Check Euler's formula.
   if (d == 2) return corners.size() == facets.size();  // a ring of as many edges as corners
   return open.empty() && corners.size() + facets.size() == edges / 2 + 2;
 }
 
-/// Integral over the surface of x_k n_k dA, for each k alone: the volume, d times over.
+/// Integrates x_k n_k over the surface for each k separately; each integral is the volume.
 Eigen::VectorXd volumes(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
   const Eigen::Index d = points.cols();
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(d);
-  const auto arm = [&](int row) -> Eigen::VectorXd {
+  const auto offset = [&](int row) -> Eigen::VectorXd {
     return (points.row(row) - points.row(0)).transpose();
   };
-  // Each facet's part of the surface integral.
+  // Add each facet's contribution to the surface integral.
   for (const HullFacet& facet : hull.facets) {
-    const Eigen::VectorXd first = arm(facet.ring[0]);
+    const Eigen::VectorXd first = offset(facet.ring[0]);
     if (d == 2) {
-      const Eigen::VectorXd last = arm(facet.ring[1]);
+      const Eigen::VectorXd last = offset(facet.ring[1]);
       sums += (last - first).norm() * facet.normal.cwiseProduct((first + last) / 2);
       continue;
     }
     for (std::size_t k = 2; k < facet.ring.size(); ++k) {
-      const Eigen::Vector3d a = first, b = arm(facet.ring[k - 1]), c = arm(facet.ring[k]);
+      const Eigen::Vector3d a = first, b = offset(facet.ring[k - 1]), c = offset(facet.ring[k]);
       sums += ((b - a).cross(c - a) / 2).cwiseProduct((a + b + c) / 3);
     }
   }
   return sums;
 }
 
+/// Computes the check of a hull.
 HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
   HullCheck check;
-  // Points beyond planes, and corners off their own.
+  // Distances of points beyond planes, and of corners from their own planes.
   for (const HullFacet& facet : hull.facets) {
     const Eigen::VectorXd beyond =
         (points * facet.normal).array() - facet.offset * facet.normal.norm();
     check.outside = max_or_nan(check.outside, max_or_nan(beyond));
     for (const int row : facet.ring) check.outside = max_or_nan(check.outside, -beyond(row));
   }
-  // Closed, with one volume by all three axes.
+  // Closedness, and the volume from each axis.
   check.closed = is_closed(hull.facets, points.cols());
   const Eigen::VectorXd each = volumes(points, hull);
   check.volume = each.mean();
@@ -169,12 +170,13 @@ HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const Conv
 
 ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   const Eigen::Index d = points.cols();
-  // Shape of the input.
+  // Check the input.
   require(d == 2 || d == 3, "hulls are made of points in 2 or 3 dimensions, got {}", d);
   require(points.rows() > d, "a hull in {} dimensions needs {} points, got {}", d, d + 1,
           points.rows());
   require(points.allFinite(), "points of a hull must be finite");
 
+  // Run Qhull.
   Qhull qhull(points);
   ConvexHull hull{{}, qhull.failure(), {}};
   if (!hull.message.empty()) return hull;
@@ -182,9 +184,10 @@ ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   if (d == 3)
     for (HullFacet& facet : hull.facets) sort_ring(points, facet);
 
+  // Verify the result.
   hull.check = check_hull(points, hull);
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  if (!(hull.check.outside <= kContainedShare * extent))
+  if (!(hull.check.outside <= kContainmentTolerance * extent))
     return {{},
             fmt::format("qhull: a point lies {:.2g} outside the hull", hull.check.outside),
             hull.check};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A simplex method of our own for small dense programs: asked where CLP's answer fails.
+/// Simplex method for small dense programs: the fallback if CLP's answers fail their certificate.
 
 #include "solvers/linear_certificate.h"
 #include "solvers/status.h"
@@ -8,17 +8,19 @@
 namespace thenar::internal {
 
 struct SimplexVertex {
-  Status end;          // what the method believes; the caller certifies it
-  SimplexBasis basis;  // the last one
+  Status claim;        // claim of the method, to be certified by the caller
+  SimplexBasis basis;  // final basis
 };
 
-/// Primal simplex with bounds on all variables, from the basis of row activities.
+/// Runs the primal simplex method with bounds on all variables, starting from the basis of row
+/// activities.
 ///
-/// Every step factors the basis anew, so that no error is carried along. While basic variables are
-/// outside their bounds, the sum of what they miss is lessened first. The steepest price enters;
-/// after ten steps a variable the least index does [Bland1977], which cannot cycle.
+/// Every step factorises the basis from scratch, so that errors do not accumulate. While basic
+/// variables violate their bounds, phase 1 reduces the sum of the violations. The entering variable
+/// has the largest reduced cost; after ten steps per variable, Bland's least-index rule prevents
+/// cycling [Bland1977].
 ///
-/// @param program  checked by the caller; lower bounds not above upper ones
+/// @param program  valid program, lower bounds not above upper ones; not checked
 [[nodiscard]] SimplexVertex dense_simplex(const LinearProgram& program);
 
 }  // namespace thenar::internal

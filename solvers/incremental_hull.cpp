@@ -11,57 +11,60 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon();
-constexpr double kPlaneRounding = 32 * kUnitRoundoff;  // Rounding of one n'p - d, over the size [1]
-// A plane with a larger error is checked, over the size [1]
+constexpr double kPlaneRounding =
+    32 * kUnitRoundoff;  // rounding error of n'p - d, over the size [1]
+// Plane error above which the residual is computed, over the size [1]
 constexpr double kErrorToCheck = 1e-13;
 
-/// Scatters numbers over 64 bits (the finaliser of SplitMix64).
-std::uint64_t scatter(std::uint64_t x) {
+/// Hashes a number to 64 bits (the finaliser of SplitMix64).
+std::uint64_t hash(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
   return x ^ (x >> 31);
 }
 
-/// Returns the position of vertex j in the facet without vertex i, such that all facets are
-/// oriented alike: in order, but with the first two swapped in every other facet.
-int place_in_simplex(int i, int j) {
+/// Returns the position of vertex j in the facet without vertex i, such that all facets have the
+/// same orientation: in order, but with the first two swapped in every other facet.
+int position_in_simplex(int i, int j) {
   const int place = j < i ? j : j - 1;
   return i % 2 == 1 && place < 2 ? 1 - place : place;
 }
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+/// Converts to an index of a vector.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
 Hull::Hull(const std::array<HullPoint, 7>& simplex)
-    : bar_(std::numeric_limits<double>::infinity()) {
-  // Seven points, and their mean as an inner point.
+    : offset_limit_(std::numeric_limits<double>::infinity()) {
+  // Add the seven points; their mean is an inner point.
   for (const HullPoint& p : simplex) {
     inside_ += p / 7;
     size_ = std::max(size_, p.norm());
-    code_.push_back(scatter(points_.size()));
+    codes_.push_back(hash(points_.size()));
     points_.push_back(p);
   }
-  // Each facet lacks one of them; it is across from the facet that lacks the other.
+  // Link the facets: facet i lacks vertex i, and is the neighbour of facet j across the ridge
+  // without j.
   for (int i = 0; i < 7; ++i) (void)new_facet();
   for (int i = 0; i < 7; ++i) {
-    Links& links = links_[at(i)];
+    Links& links = links_[index(i)];
     for (int j = 0; j < 7; ++j) {
       if (j == i) continue;
-      const std::size_t place = at(place_in_simplex(i, j));
+      const std::size_t place = index(position_in_simplex(i, j));
       links.vertex[place] = links.neighbour[place] = j;
-      links.back[place] = static_cast<std::int8_t>(place_in_simplex(j, i));
+      links.back[place] = static_cast<std::int8_t>(position_in_simplex(j, i));
     }
-    planes_[at(i)] = solve(links);
-    error_ = std::max(error_, planes_[at(i)].error);
+    planes_[index(i)] = solve(links);
+    error_ = std::max(error_, planes_[index(i)].error);
     queue(i);
   }
 }
 
 int Hull::new_facet() {
-  // Reuse a facet that is free.
-  ++alive_;
+  // Reuse a free entry.
+  ++facet_count_;
   int facet = static_cast<int>(links_.size());
   if (free_.empty()) {
     links_.emplace_back();
@@ -70,16 +73,16 @@ int Hull::new_facet() {
     facet = free_.back();
     free_.pop_back();
   }
-  links_[at(facet)].birth = ++births_;
-  links_[at(facet)].stamp = stamp_;
-  links_[at(facet)].s = 0;
+  links_[index(facet)].serial = ++last_serial_;
+  links_[index(facet)].insertion = insertion_;
+  links_[index(facet)].s = 0;
   return facet;
 }
 
 void Hull::queue(int facet) {
-  const double d = planes_[at(facet)].d;
-  if (d >= bar_) return;
-  queue_.push_back({d, facet, links_[at(facet)].birth});
+  const double d = planes_[index(facet)].d;
+  if (d >= offset_limit_) return;
+  queue_.push_back({d, facet, links_[index(facet)].serial});
   std::push_heap(queue_.begin(), queue_.end(),
                  [](const Queued& a, const Queued& b) { return a.d > b.d; });
 }
@@ -90,9 +93,9 @@ int Hull::pop_nearest() {
                   [](const Queued& a, const Queued& b) { return a.d > b.d; });
     const Queued next = queue_.back();
     queue_.pop_back();
-    if (links_[at(next.facet)].birth != next.birth) continue;
-    if (next.d < bar_) return next.facet;
-    queue_.clear();  // all others are further off
+    if (links_[index(next.facet)].serial != next.serial) continue;
+    if (next.d < offset_limit_) return next.facet;
+    queue_.clear();  // all others are farther away
   }
   return -1;
 }
@@ -103,74 +106,75 @@ bool Hull::insert(const HullPoint& p, int facet) {
   if (visible_.empty()) return false;
   const int point = static_cast<int>(points_.size());
   points_.push_back(p);
-  code_.push_back(scatter(points_.size()));
+  codes_.push_back(hash(points_.size()));
 
-  // A table of ridges with room for all.
-  std::size_t room = std::max<std::size_t>(table_.size(), 64);
-  while (room < 8 * horizon_.size()) room *= 2;
-  if (room != table_.size()) table_.assign(room, {0, 0, -1, 0});
+  // Enlarge the hash table of ridges.
+  std::size_t capacity = std::max<std::size_t>(table_.size(), 64);
+  while (capacity < 8 * horizon_.size()) capacity *= 2;
+  if (capacity != table_.size()) table_.assign(capacity, {0, 0, -1, 0});
 
-  // A new facet over every ridge of the horizon; the visible ones are free again.
-  for (const Ridge& ridge : horizon_) match_ridges(raise_facet(ridge, point), ridge.place);
-  for (const int gone : visible_) {
-    links_[at(gone)].birth = 0;
-    free_.push_back(gone);
-    --alive_;
+  // Add a new facet over every ridge of the horizon, and free the visible ones.
+  for (const Ridge& ridge : horizon_) match_ridges(add_facet(ridge, point), ridge.place);
+  for (const int facet_to_free : visible_) {
+    links_[index(facet_to_free)].serial = 0;
+    free_.push_back(facet_to_free);
+    --facet_count_;
   }
   return true;
 }
 
 void Hull::find_visible(const HullPoint& p, int facet) {
-  ++stamp_;
+  ++insertion_;
   visible_.clear();
   horizon_.clear();
-  // Looks at each facet once an insertion.
-  const auto look = [&](int f) {
-    Links& links = links_[at(f)];
-    if (links.stamp == stamp_) return links.s > 0;
-    links.stamp = stamp_;
-    const Plane& plane = planes_[at(f)];
+  // Computes the signed distance of each facet once per insertion.
+  const auto is_visible = [&](int f) {
+    Links& links = links_[index(f)];
+    if (links.insertion == insertion_) return links.s > 0;
+    links.insertion = insertion_;
+    const Plane& plane = planes_[index(f)];
     const double s = plane.n.dot(p) - plane.d;
     links.s = s > plane.error + kPlaneRounding * size_ ? s : std::min(s, 0.0);
     if (links.s > 0) visible_.push_back(f);
     return links.s > 0;
   };
-  // Breadth-first over neighbours; hidden ones beyond a ridge make the horizon.
-  look(facet);
-  // NOLINTNEXTLINE(modernize-loop-convert): visible_ grows meanwhile
+  // Search breadth-first; ridges to hidden neighbours form the horizon.
+  is_visible(facet);
+  // NOLINTNEXTLINE(modernize-loop-convert): visible_ grows in the loop
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int f = visible_[k];
     for (int i = 0; i < 6; ++i)
-      if (!look(links_[at(f)].neighbour[at(i)])) horizon_.push_back({f, i});
+      if (!is_visible(links_[index(f)].neighbour[index(i)])) horizon_.push_back({f, i});
   }
 }
 
-int Hull::raise_facet(const Ridge& ridge, int point) {
+int Hull::add_facet(const Ridge& ridge, int point) {
   const int facet = new_facet();
-  Links& links = links_[at(facet)];
-  const Links& seen = links_[at(ridge.facet)];
-  const std::size_t place = at(ridge.place);
+  Links& links = links_[index(facet)];
+  const Links& seen = links_[index(ridge.facet)];
+  const std::size_t place = index(ridge.place);
   const int across = seen.neighbour[place];
-  Links& hidden = links_[at(across)];
+  Links& hidden = links_[index(across)];
 
-  // The new facet takes the place of the visible one at the ridge.
+  // Replace the visible facet at the ridge.
   links.vertex = seen.vertex;
   links.vertex[place] = point;
   links.neighbour[place] = across;
   links.back[place] = seen.back[place];
-  hidden.neighbour[at(seen.back[place])] = facet;
-  hidden.back[at(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
+  hidden.neighbour[index(seen.back[place])] = facet;
+  hidden.back[index(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
 
-  // Its plane lies in the pencil of both.
-  planes_[at(facet)] = pencil(seen, planes_[at(ridge.facet)], hidden, planes_[at(across)]);
-  settle(facet);
+  // Its plane is in the pencil of both planes.
+  planes_[index(facet)] =
+      pencil_plane(seen, planes_[index(ridge.facet)], hidden, planes_[index(across)]);
+  check_plane(facet);
   queue(facet);
   return facet;
 }
 
-Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
-                         const Plane& b) const {
-  // A weighted sum, whose weights are not negative.
+Hull::Plane Hull::pencil_plane(const Links& seen, const Plane& a, const Links& hidden,
+                               const Plane& b) const {
+  // Weighted sum with nonnegative weights.
   const double wa = -hidden.s, wb = seen.s;
   Plane out{wa * a.n + wb * b.n, wa * a.d + wb * b.d, 0};
   const double scale = 1 / out.n.norm();
@@ -180,10 +184,10 @@ Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
   return out;
 }
 
-void Hull::settle(int facet) {
-  Plane& plane = planes_[at(facet)];
-  const Links& links = links_[at(facet)];
-  // A large bound is measured, and if need be the plane is solved for.
+void Hull::check_plane(int facet) {
+  Plane& plane = planes_[index(facet)];
+  const Links& links = links_[index(facet)];
+  // If the error bound is large, compute the residual and, if necessary, solve for the plane.
   if (!(plane.error <= kErrorToCheck * size_)) {
     plane.error = residual(plane, links);
     if (!(plane.error <= kErrorToCheck * size_)) {
@@ -197,16 +201,16 @@ void Hull::settle(int facet) {
 double Hull::residual(const Plane& plane, const Links& links) const {
   double worst = 0;
   for (const int v : links.vertex)
-    worst = std::max(worst, std::abs(plane.n.dot(points_[at(v)]) - plane.d));
+    worst = std::max(worst, std::abs(plane.n.dot(points_[index(v)]) - plane.d));
   return std::isfinite(plane.d) ? worst + kPlaneRounding * size_
                                 : std::numeric_limits<double>::infinity();
 }
 
 Hull::Plane Hull::solve(const Links& links) const {
-  // Normal to five edges, by QR.
+  // Find the normal to five edges by QR.
   Eigen::Matrix<double, 6, 5> edges;
-  const HullPoint& origin = points_[at(links.vertex[5])];
-  for (int i = 0; i < 5; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - origin;
+  const HullPoint& origin = points_[index(links.vertex[5])];
+  for (int i = 0; i < 5; ++i) edges.col(i) = points_[index(links.vertex[index(i)])] - origin;
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 5>> qr(edges);
   const Eigen::Matrix<double, 6, 6> Q = qr.householderQ();
   Plane plane{Q.col(5), Q.col(5).dot(origin), 0};
@@ -216,50 +220,50 @@ Hull::Plane Hull::solve(const Links& links) const {
 }
 
 void Hull::match_ridges(int facet, int place_of_point) {
-  const Links& links = links_[at(facet)];
-  // Each ridge of the new facet meets one of another new facet: the same five vertices.
+  const Links& links = links_[index(facet)];
+  // Each ridge of the new facet meets one of another new facet with the same five vertices.
   std::uint64_t sum = 0;
-  for (const int v : links.vertex) sum += code_[at(v)];
+  for (const int v : links.vertex) sum += codes_[index(v)];
   for (int i = 0; i < 6; ++i)
     if (i != place_of_point)
-      join(facet, static_cast<std::int8_t>(i), sum - code_[at(links.vertex[at(i)])]);
+      match_ridge(facet, static_cast<std::int8_t>(i), sum - codes_[index(links.vertex[index(i)])]);
 }
 
-void Hull::join(int facet, std::int8_t place, std::uint64_t key) {
-  // Hash table: the first of a pair waits there for the second.
+void Hull::match_ridge(int facet, std::int8_t place, std::uint64_t key) {
+  // Hash table: the first ridge of a pair is stored until the second one comes.
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = key & mask;; i = (i + 1) & mask) {
     Slot& slot = table_[i];
-    if (slot.stamp != stamp_) {
-      slot = {key, stamp_, facet, place};
+    if (slot.insertion != insertion_) {
+      slot = {key, insertion_, facet, place};
       return;
     }
     if (slot.key != key || slot.facet < 0) continue;
-    links_[at(facet)].neighbour[at(place)] = slot.facet;
-    links_[at(facet)].back[at(place)] = slot.place;
-    links_[at(slot.facet)].neighbour[at(slot.place)] = facet;
-    links_[at(slot.facet)].back[at(slot.place)] = place;
+    links_[index(facet)].neighbour[index(place)] = slot.facet;
+    links_[index(facet)].back[index(place)] = slot.place;
+    links_[index(slot.facet)].neighbour[index(slot.place)] = facet;
+    links_[index(slot.facet)].back[index(slot.place)] = place;
     slot.facet = -1;
     return;
   }
 }
 
 double Hull::inner_radius() const {
-  double least = std::numeric_limits<double>::infinity();
+  double radius = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < links_.size(); ++i)
-    if (links_[i].birth != 0) least = std::min(least, planes_[i].d - planes_[i].n.dot(inside_));
-  return least;
+    if (links_[i].serial != 0) radius = std::min(radius, planes_[i].d - planes_[i].n.dot(inside_));
+  return radius;
 }
 
 double Hull::volume() const {
   double sum = 0;
   for (const Links& links : links_) {
-    if (links.birth == 0) continue;
+    if (links.serial == 0) continue;
     Eigen::Matrix<double, 6, 6> edges;
-    for (int i = 0; i < 6; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - inside_;
+    for (int i = 0; i < 6; ++i) edges.col(i) = points_[index(links.vertex[index(i)])] - inside_;
     sum += edges.determinant();
   }
-  return std::abs(sum) / 720;  // 6!; all facets are oriented alike
+  return std::abs(sum) / 720;  // 6!; all facets have the same orientation
 }
 
 }  // namespace thenar::internal

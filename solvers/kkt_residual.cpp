@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A variable or a row between its bounds.
+/// Variables or rows with their bounds.
 struct Bounded {
   const VectorXd &value, &lower, &upper;
 
@@ -28,8 +28,8 @@ struct Bounded {
     return worst;
   }
 
-  /// Removes prices of infinite bounds, and returns the sum of the others times the distance to
-  /// their bounds.
+  /// Sets multipliers of infinite bounds to zero, and returns the sum of the others times the
+  /// distance to their bounds.
   [[nodiscard]] double complementarity(VectorXd& prices) const {
     double sum = 0;
     for (Index i = 0; i < value.size(); ++i) {
@@ -56,7 +56,7 @@ KktResidual kkt_residual(const NonlinearProgram& program, const VectorXd& x, Vec
   result.complementarity =
       Bounded{x, program.lower, program.upper}.complementarity(bounds) +
       Bounded{values, program.row_lower, program.row_upper}.complementarity(rows);
-  // What is left of the gradient after the prices.
+  // Gradient of the Lagrangian.
   VectorXd d = program.gradient(x) + bounds;
   if (rows.size() > 0) d += program.jacobian(x).transpose() * rows;
   result.stationarity = d.size() > 0 ? d.cwiseAbs().maxCoeff() : 0;
@@ -64,8 +64,8 @@ KktResidual kkt_residual(const NonlinearProgram& program, const VectorXd& x, Vec
   return result;
 }
 
-double slope_terms(const NonlinearProgram& program, const VectorXd& x, const VectorXd& rows,
-                   const VectorXd& bounds) {
+double gradient_scale(const NonlinearProgram& program, const VectorXd& x, const VectorXd& rows,
+                      const VectorXd& bounds) {
   VectorXd terms = program.gradient(x).cwiseAbs() + bounds.cwiseAbs();
   if (rows.size() > 0) terms += program.jacobian(x).cwiseAbs().transpose() * rows.cwiseAbs();
   return terms.size() > 0 ? max_or_nan(terms) : 0;

@@ -12,8 +12,8 @@
 namespace thenar {
 namespace {
 
-Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
-                  const SolveOptions& options) {
+Solution run_method(const LeastSquares& problem, const Eigen::VectorXd& start,
+                    const SolveOptions& options) {
   if (options.method == LeastSquaresMethod::kCeres)
     return internal::solve_ceres(problem, start, options);
   return options.method == LeastSquaresMethod::kIpopt
@@ -21,63 +21,64 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
              : internal::solve_nlopt(problem, start, options);
 }
 
-/// A point that breaks constraints is no solution, whatever the solver calls it.
+/// Rejects a point that violates constraints, whatever status the solver returned.
 void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
                           Solution& solution) {
   if (!problem.constraints) return;
-  // Largest violation of scaled constraints, which Ipopt is allowed, too [1]
-  constexpr double kConstraintSlack = 1e-6;
+  // Maximum violation of scaled constraints, also used by Ipopt [1]
+  constexpr double kMaxViolation = 1e-6;
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
-  // A NaN breaks its constraint.
-  const auto kept = ((c.array() >= problem.c_lower.array() - kConstraintSlack) &&
-                     (c.array() <= problem.c_upper.array() + kConstraintSlack))
-                        .count();
-  if (kept == c.size()) return;
+  // A NaN counts as a violation.
+  const auto satisfied = ((c.array() >= problem.c_lower.array() - kMaxViolation) &&
+                          (c.array() <= problem.c_upper.array() + kMaxViolation))
+                             .count();
+  if (satisfied == c.size()) return;
   if (solution.status == Status::kSolved) solution.status = Status::kStalled;
   solution.message +=
-      fmt::format("; breaks {} of {} constraints{}", c.size() - kept, c.size(),
+      fmt::format("; breaks {} of {} constraints{}", c.size() - satisfied, c.size(),
                   method == LeastSquaresMethod::kIpopt ? "" : ", which only ipopt honours");
 }
 
-/// Coordinates whose bounds leave them room to move.
-std::vector<int> find_free(const LeastSquares& problem) {
-  constexpr double kLeastRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
+/// Returns the coordinates that their bounds do not fix.
+std::vector<int> find_free_coordinates(const LeastSquares& problem) {
+  constexpr double kMinWidth =
+      1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
-    if (problem.upper[i] - problem.lower[i] > kLeastRoom || !std::isfinite(problem.lower[i]))
+    if (problem.upper[i] - problem.lower[i] > kMinWidth || !std::isfinite(problem.lower[i]))
       free.push_back(static_cast<int>(i));
   return free;
 }
 
-/// The problem of the free coordinates, all others held where `at` has them.
-LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
-                    const Eigen::VectorXd& at) {
-  const auto whole = [free, at](const Eigen::VectorXd& some) {
+/// Returns the problem of the free coordinates, with all others fixed as in `at`.
+LeastSquares reduce_to_free(const LeastSquares& problem, const std::vector<int>& free,
+                            const Eigen::VectorXd& at) {
+  const auto expand = [free, at](const Eigen::VectorXd& free_z) {
     Eigen::VectorXd z = at;
-    z(free) = some;
+    z(free) = free_z;
     return z;
   };
   LeastSquares rest;
   rest.lower = problem.lower(free);
   rest.upper = problem.upper(free);
-  rest.residuals = [&problem, free, whole](const Eigen::VectorXd& some, WithJacobian want) {
-    Residuals out = problem.residuals(whole(some), want);
+  rest.residuals = [&problem, free, expand](const Eigen::VectorXd& free_z, WithJacobian want) {
+    Residuals out = problem.residuals(expand(free_z), want);
     if (want == WithJacobian::kYes) out.J = out.J(Eigen::all, free).eval();
     return out;
   };
   if (!problem.constraints) return rest;
   rest.c_lower = problem.c_lower;
   rest.c_upper = problem.c_upper;
-  rest.constraints = [&problem, free, whole](const Eigen::VectorXd& some) {
-    ConstraintValues out = problem.constraints(whole(some));
+  rest.constraints = [&problem, free, expand](const Eigen::VectorXd& free_z) {
+    ConstraintValues out = problem.constraints(expand(free_z));
     out.C = out.C(Eigen::all, free).eval();
     return out;
   };
   return rest;
 }
 
-/// Returns the start as the solution of a problem in which nothing can move.
-Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
+/// Returns the start as the solution of a problem without free coordinates.
+Solution fixed_solution(const LeastSquares& problem, const Eigen::VectorXd& start) {
   Solution solution;
   solution.z = start;
   solution.cost = 0.5 * problem.residuals(start, WithJacobian::kNo).r.squaredNorm();
@@ -87,35 +88,37 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   return solution;
 }
 
-/// Returns the length of the step that is left in coordinates without constraints.
-double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
+/// Returns the length of the remaining Newton step without constraints.
+double unconstrained_newton_step(const LeastSquares& problem, const Eigen::VectorXd& z,
+                                 CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (internal::held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
+    if (internal::is_held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
 }
 
-/// Rows of constraints that hold the step back, those that let go left out.
+/// Returns the rows of active constraints that oppose the descent direction.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kOnConstraint = 1e-5;  // Scaled constraints this near to a bound are active [1]
-  // Constraints at one of their bounds.
+  constexpr double kActiveDistance =
+      1e-5;  // distance from a bound at which scaled constraints are active [1]
+  // Collect constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
   for (Eigen::Index k = 0; k < at.c.size(); ++k)
-    if (at.c[k] < problem.c_lower[k] + kOnConstraint ||
-        at.c[k] > problem.c_upper[k] - kOnConstraint)
+    if (at.c[k] < problem.c_lower[k] + kActiveDistance ||
+        at.c[k] > problem.c_upper[k] - kActiveDistance)
       active.push_back(k);
-  // Drop what pulls instead of pushing, the strongest first.
+  // Drop constraints with a multiplier of the wrong sign, the largest first.
   while (!active.empty()) {
     Eigen::MatrixXd rows = at.C(active, Eigen::all);
     const Eigen::VectorXd push = rows.transpose().completeOrthogonalDecomposition().solve(gradient);
     Eigen::Index worst = -1;
-    double most = 1e-9 * push.cwiseAbs().maxCoeff();
+    double max_pull = 1e-9 * push.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < push.size(); ++k) {
-      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kOnConstraint;
+      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kActiveDistance;
       const double pull = lower ? -push[k] : push[k];
-      if (pull > most) {
-        most = pull;
+      if (pull > max_pull) {
+        max_pull = pull;
         worst = k;
       }
     }
@@ -125,10 +128,10 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
   return {0, z.size()};
 }
 
-/// Orthonormal directions that the rows of A leave, which may hang on each other.
+/// Returns an orthonormal basis of the null space of A, whose rows may be dependent.
 Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
-  // Rows with a pivot below this share of the largest are dependent [1]
+  // Pivot, over the largest, below which a row is dependent [1]
   constexpr double kDependentPivot = 1e-9;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
   qr.setThreshold(kDependentPivot);
@@ -136,16 +139,16 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   return Q.rightCols(A.cols() - qr.rank());
 }
 
-/// Returns the length of the step that is left in the directions that bounds and active constraints
-/// leave free.
-double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
-                        const CostDerivatives& slopes) {
-  // Directions that bounds and active constraints leave.
+/// Returns the length of the remaining Newton step in the directions left free by bounds and active
+/// constraints.
+double constrained_newton_step(const LeastSquares& problem, const Eigen::VectorXd& z,
+                               const CostDerivatives& slopes) {
+  // Find the free directions.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (!internal::held(problem, z, slopes.gradient[i], i)) free.push_back(i);
+    if (!internal::is_held(problem, z, slopes.gradient[i], i)) free.push_back(i);
   const Eigen::VectorXd gradient = slopes.gradient(free);
-  const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
+  const Eigen::MatrixXd J = dense_rows(slopes.layout, slopes.rows)(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
   const Eigen::MatrixXd basis = null_basis(A);
   // Newton step within them.
@@ -154,9 +157,9 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   return ArrowFactor(layout, {{-1, J * basis, {}}}).whiten(basis.transpose() * gradient).norm();
 }
 
-/// Gradient and Jacobian at z; none where the residuals have no Jacobian.
-std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
-                                                  const Eigen::VectorXd& z) {
+/// Computes cost, gradient and Jacobian at z; nothing if the residuals have no Jacobian.
+std::optional<CostDerivatives> exact_derivatives(const LeastSquares& problem,
+                                                 const Eigen::VectorXd& z) {
   CostDerivatives out;
   out.gradient = Eigen::VectorXd::Zero(z.size());
   if (problem.parts.empty()) {
@@ -169,7 +172,7 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
     return out;
   }
   out.layout = problem.layout;
-  // Each part adds to the shared gradient and to that of its block.
+  // Add each part to the shared gradient and to that of its block.
   const int shared = out.layout.shared, own = out.layout.own;
   for (const ResidualPart& part : problem.parts) {
     const Residuals at = part.residuals(z, WithJacobian::kYes);
@@ -178,22 +181,22 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
     out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
     out.rows.push_back({part.block, at.J.leftCols(shared), {}});
     if (part.block < 0) continue;
-    out.gradient.segment(out.layout.first(part.block), own) +=
+    out.gradient.segment(out.layout.first_index(part.block), own) +=
         at.J.rightCols(own).transpose() * at.r;
     out.rows.back().own = at.J.rightCols(own);
   }
   return out;
 }
 
-/// Computes gradient and Jacobian by differences of residuals that have no Jacobian. No point
+/// Computes gradient and Jacobian by finite differences of residuals without Jacobian. No point
 /// outside the bounds is evaluated.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  // Relative step of central differences: the cube root of the rounding [1]
-  constexpr double kDifferenceShare = 6e-6;
+  // Relative step of central differences: the cube root of the rounding error [1]
+  constexpr double kRelativeStep = 6e-6;
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double step = kDifferenceShare * std::max(1.0, std::abs(z[i]));
+    const double step = kRelativeStep * std::max(1.0, std::abs(z[i]));
     Eigen::VectorXd below = z, above = z;
     below[i] = std::max(z[i] - step, problem.lower[i]);
     above[i] = std::min(z[i] + step, problem.upper[i]);
@@ -210,31 +213,32 @@ CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Ei
   return out;
 }
 
-/// Certifies z, and says so in the status.
+/// Certifies z, and updates the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  if (solution.sides > 1) return;  // slopes on all sides have been seen
-  // Newton step that is left at z; NaN where a difference is.
-  std::optional<CostDerivatives> exact = derivatives_if_any(problem, solution.z);
+  if (solution.kink_sides > 1) return;  // certified at a kink
+  // Compute the remaining Newton step; NaN if a difference is not finite.
+  std::optional<CostDerivatives> exact = exact_derivatives(problem, solution.z);
   const CostDerivatives slopes =
       exact ? std::move(*exact) : derivatives_by_differences(problem, solution.z);
   solution.newton_step = std::nan("");
   if (slopes.gradient.allFinite()) {
     const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
-    solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
-                                       : free_step(problem, solution.z, slopes);
+    solution.newton_step = constrained ? constrained_newton_step(problem, solution.z, slopes)
+                                       : unconstrained_newton_step(problem, solution.z, slopes);
   }
-  constexpr double kDifferenceSd = 0.01;  // Differences of a solution below this do not matter [sd]
-  // What the tolerance allows; a longer step refutes the solver.
-  const double allowed = std::max(kDifferenceSd, std::sqrt(20 * options.tolerance * solution.cost));
+  constexpr double kNegligibleStep =
+      0.01;  // step below which differences of a solution are negligible [sd]
+  // Compare it with the step that the tolerance allows.
+  const double allowed =
+      std::max(kNegligibleStep, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
     solution.status = Status::kStalled;
     solution.message += fmt::format("; but a step of {:.2g} sds is left", solution.newton_step);
   }
 }
 
-/// Ceres once more from where it stalled, to the end of its digits.
-void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  // Stricter, from where it stalled.
+/// Restarts Ceres once where it stalled, with the strictest tolerance.
+void restart_ceres(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   SolveOptions strict = options;
   strict.tolerance = std::min(options.tolerance, 1e-15);
   const Solution first = solution;
@@ -243,58 +247,60 @@ void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& s
   certify(problem, options, solution);
 }
 
-/// Solves for what bounds leave free: some solvers fail where a lower bound is the upper one.
+/// Solves for the free coordinates: some solvers fail with equal bounds.
 Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
                     const SolveOptions& options) {
-  const std::vector<int> free = find_free(problem);
-  if (free.empty()) return stay(problem, start);
-  // Ceres fixes coordinates of blocks by itself.
+  const std::vector<int> free = find_free_coordinates(problem);
+  if (free.empty()) return fixed_solution(problem, start);
+  // Ceres handles fixed coordinates of blocks.
   const bool blocks = options.method == LeastSquaresMethod::kCeres && !problem.parts.empty();
   if (static_cast<Eigen::Index>(free.size()) == start.size() || blocks)
-    return dispatch(problem, start, options);
-  // Others solve a reduced problem.
-  Solution solution = dispatch(reduce(problem, free, start), start(free), options);
+    return run_method(problem, start, options);
+  // Other methods solve a reduced problem.
+  Solution solution = run_method(reduce_to_free(problem, free, start), start(free), options);
   Eigen::VectorXd z = start;
   z(free) = solution.z;
   solution.z = z;
   return solution;
 }
 
-/// Solves by the method asked for. With kCeres, internal::search_by_secants() takes fewer
-/// evaluations to the end, unless they are counted: from the start where residuals come in blocks,
-/// and otherwise, or if it does not get there soon, from the neighbourhood that Ceres leads to.
-/// Where that fails too, Ceres goes on.
+/// Solves by the requested method. With kCeres and without a limit on evaluations, structured
+/// secants need fewer evaluations near the solution: they are tried from the start if residuals
+/// come in blocks, and otherwise, or if that does not converge soon, after a rough solution by
+/// Ceres. If they fail, too, Ceres continues.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNearCost = 1e-3;  // Relative tolerance of the cost in a first, rough search [1]
-  constexpr int kFirstEvaluations = 80,
-                kLastEvaluations = 200;  // evaluations by secants at most [1]
+  constexpr double kRoughTolerance = 1e-3;  // relative tolerance of the rough solution [1]
+  constexpr int kFirstEvaluations = 80, kLastEvaluations = 200;  // limits of secant searches [1]
+  // Use other methods, and counted evaluations, as they are.
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
-      options.tolerance >= kNearCost)
+      options.tolerance >= kRoughTolerance)
     return solve_free(problem, start, options);
+  // Try secants from the start.
   Solution found;
   found.z = start;
   if (!problem.parts.empty() &&
       internal::search_by_secants(problem, options, kFirstEvaluations, found))
     return found;
-  const auto solve_on = [&](double tolerance) {
+  // Find a rough solution, and refine it by secants.
+  const auto continue_by_method = [&](double tolerance) {
     SolveOptions next = options;
     next.tolerance = tolerance;
     Solution then = solve_free(problem, found.z, next);
     then.evaluations += found.evaluations;
     found = std::move(then);
   };
-  solve_on(kNearCost);
+  continue_by_method(kRoughTolerance);
   if (found.status != Status::kSolved ||
       internal::search_by_secants(problem, options, kLastEvaluations, found))
     return found;
-  // Kinks stop secants; what is smooth goes to the end as Ceres does.
+  // Secants fail at kinks; otherwise Ceres continues.
   if (internal::search_at_kink(problem, options, found)) return found;
-  solve_on(options.tolerance);
+  continue_by_method(options.tolerance);
   return found;
 }
 
-/// Sizes and bounds, before anything is computed.
+/// Checks sizes and bounds of the problem.
 void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
   const Eigen::Index n = problem.lower.size();
   require(static_cast<bool>(problem.residuals), "least squares need residuals");
@@ -330,11 +336,12 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
   const bool derivatives =
       method == LeastSquaresMethod::kCeres || method == LeastSquaresMethod::kIpopt;
   const bool blocks = method == LeastSquaresMethod::kCeres && !problem.parts.empty();
-  const Residuals whole =
+  const Residuals expand =
       problem.residuals(z, derivatives && !blocks ? WithJacobian::kYes : WithJacobian::kNo);
-  require(whole.r.allFinite(), "residuals at the start are not finite");
-  const bool has_jacobian = blocks ? derivatives_if_any(problem, z).has_value()
-                                   : whole.J.rows() == whole.r.size() && whole.J.cols() == z.size();
+  require(expand.r.allFinite(), "residuals at the start are not finite");
+  const bool has_jacobian = blocks
+                                ? exact_derivatives(problem, z).has_value()
+                                : expand.J.rows() == expand.r.size() && expand.J.cols() == z.size();
   require(has_jacobian || !derivatives, "{} needs the Jacobian of the residuals by {} coordinates",
           name_of(method), z.size());
   if (!problem.constraints) return;
@@ -348,11 +355,11 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
 }  // namespace
 
 void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
-  // Place of the coordinate in its block.
+  // Find the position of the coordinate in its block.
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
-  const Eigen::Index at = block < 0 ? i : i - layout.first(block);
-  // Its gradient and columns vanish; a unit row takes their place.
+  const Eigen::Index at = block < 0 ? i : i - layout.first_index(block);
+  // Zero its gradient and columns, and append a unit row.
   slopes.gradient[i] = 0;
   for (ArrowRows& rows : slopes.rows) {
     if (block < 0) rows.shared.col(at).setZero();
@@ -365,24 +372,26 @@ void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
 }
 
 CostDerivatives cost_derivatives(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  std::optional<CostDerivatives> slopes = derivatives_if_any(problem, z);
+  std::optional<CostDerivatives> slopes = exact_derivatives(problem, z);
   require(slopes.has_value(), "residuals have no Jacobian");
   return std::move(*slopes);
 }
 
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options) {
+  // Check the problem, and project the start onto the bounds.
   check_shapes(problem, start);
   require(options.tolerance > 0 && std::isfinite(options.tolerance),
           "tolerance must be > 0, got {}", options.tolerance);
   const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   check_values(problem, inside, options.method);
+  // Solve and certify.
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = solve_by_method(problem, inside, options);
   certify(problem, options, solution);
   if (solution.status == Status::kStalled && !solution.failed &&
       options.method == LeastSquaresMethod::kCeres)
-    go_on(problem, options, solution);
+    restart_ceres(problem, options, solution);
   refute_if_infeasible(problem, options.method, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -1,6 +1,7 @@
 #pragma once
 
-/// min 1/2 |r(z)|^2 within bounds, by one of several solvers, with a certificate.
+/// Nonlinear least squares  min 1/2 |r(z)|^2  within bounds, by one of several solvers, with a
+/// certificate.
 
 #include <array>
 #include <functional>
@@ -16,15 +17,16 @@
 
 namespace thenar {
 
+/// Request for a Jacobian.
 enum class WithJacobian { kNo, kYes };
 
-/// Residuals r and, when asked for, J = dr/dz.
+/// Residuals r and, if requested, their Jacobian J = dr/dz.
 struct Residuals {
   Eigen::VectorXd r;  // (rows)
-  Eigen::MatrixXd J;  // (rows, n); empty if not asked for, or if the residuals have no Jacobian
+  Eigen::MatrixXd J;  // Jacobian (rows, n); empty if not requested or not available
 };
 
-/// Smooth constraints  lower <= c(z) <= upper, with C = dc/dz.
+/// Values of smooth constraints  lower <= c(z) <= upper,  with C = dc/dz.
 struct ConstraintValues {
   Eigen::VectorXd c;  // (constraints)
   Eigen::MatrixXd C;  // (constraints, n)
@@ -32,46 +34,46 @@ struct ConstraintValues {
 
 /// Residuals that depend on the shared coordinates of a layout and on those of one block.
 struct ResidualPart {
-  int block = -1;  // -1: shared coordinates alone
-  /// r, and J by the shared coordinates, then by those of the block; reads no other entry of z.
+  int block = -1;  // index of the block; -1: only shared coordinates
+  /// Returns r and J; columns of J are the shared coordinates, then those of the block. Reads no
+  /// other entry of z.
   std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
 };
 
-/// A least-squares problem. A solver calls its functions from one thread.
+/// Least-squares problem. A solver calls its functions from one thread.
 struct LeastSquares {
-  Eigen::VectorXd lower, upper;  // bounds, may be infinite (n)
+  Eigen::VectorXd lower, upper;  // bounds, possibly infinite (n)
   std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;  // required
   Eigen::VectorXd c_lower, c_upper;  // bounds of the constraints; empty: none (constraints)
   std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;  // empty: none
-  ArrowLayout layout;               // of `parts`; unused without them
-  std::vector<ResidualPart> parts;  // the same residuals by blocks, or empty; kCeres and
-                                    // the certificate take them in place of `residuals`
+  ArrowLayout layout;               // layout of the coordinates in `parts`; unused without them
+  std::vector<ResidualPart> parts;  // residuals by blocks, or empty; used instead of `residuals` by
+                                    // kCeres and by the certificate
 };
 
-/// Cost, its gradient, and the Jacobian of the residuals at z, in blocks where the problem has
-/// them.
+/// Cost, its gradient, and the Jacobian of the residuals at z, by blocks if the problem has them.
 struct CostDerivatives {
   double cost = 0;              // 1/2 |r|^2 [1]
   Eigen::VectorXd gradient;     // J'r (n)
-  ArrowLayout layout;           // of the rows
-  std::vector<ArrowRows> rows;  // J
+  ArrowLayout layout;           // layout of the coordinates
+  std::vector<ArrowRows> rows;  // rows of J
 };
 
-/// Fixes a coordinate: its gradient and column are zero, and a unit row keeps the rank.
+/// Fixes a coordinate: sets its gradient and column to zero, and adds a unit row to keep full rank.
 void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 
+/// Computes cost, gradient and Jacobian at z.
 /// @throws InputError if the residuals have no Jacobian.
 [[nodiscard]] CostDerivatives cost_derivatives(const LeastSquares& problem,
                                                const Eigen::VectorXd& z);
 
-/// Solver of a least-squares problem. All minimise the same function; only Ipopt keeps
-/// `constraints`. The others search without them: where their minimum breaks one, the status is not
-/// kSolved.
+/// Solver of a least-squares problem. All minimise the same function; only Ipopt enforces
+/// `constraints`. The others ignore them: if their minimum violates one, the status is not kSolved.
 enum class LeastSquaresMethod {
-  kCeres,        // secants, Levenberg-Marquardt; needs the Jacobian
-  kNloptLocal,   // BOBYQA: local, without derivatives
-  kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
-  kIpopt         // interior point, Gauss-Newton Hessian; needs the Jacobian; keeps constraints
+  kCeres,        // structured secant steps and Levenberg-Marquardt; needs the Jacobian
+  kNloptLocal,   // BOBYQA: local, derivative-free
+  kNloptGlobal,  // controlled random search, polished by BOBYQA: derivative-free
+  kIpopt         // interior point, Gauss-Newton Hessian; needs the Jacobian; enforces constraints
 };
 inline constexpr std::array kLeastSquaresMethodNames{
     EnumName{LeastSquaresMethod::kCeres, "ceres"},
@@ -81,56 +83,57 @@ inline constexpr std::array kLeastSquaresMethodNames{
 
 struct SolveOptions {
   LeastSquaresMethod method = LeastSquaresMethod::kCeres;
-  int max_evaluations = 0;  // of the residuals; 0: the method's own limit; with kCeres, who counts
-                            // them gets Levenberg-Marquardt's steps alone
-  double tolerance = 1e-8;  // relative change of the cost at which to stop [1]
-  unsigned seed = 1;        // of the global search
+  int max_evaluations = 0;  // maximum number of evaluations of the residuals; 0: default of the
+                            // method. With kCeres, a limit disables the secant steps
+  double tolerance = 1e-8;  // relative change of the cost at which iterations stop [1]
+  unsigned seed = 1;        // random seed of the global search
   Progress progress;
 };
 
-/// The best point found, whatever happened.
+/// Best point found, whether or not the search converged.
 struct [[nodiscard]] Solution {
-  Eigen::VectorXd z;                 // (n)
-  double cost = 0;                   // 1/2 |r|^2 [1]
-  Status status = Status::kStalled;  // kSolved: certified by `newton_step`, and no constraint is
-                                     // broken; kStalled: one of both is not so, or the solver
-                                     // failed
-  bool failed = false;     // the solver broke off with an error, or found the bounds infeasible
-  std::string message;     // of the solver; then what refutes it, and constraints that are broken
-  int evaluations = 0;     // of the residuals
-  double seconds = 0;      // wall time [s]
-  double newton_step = 0;  // length of the Gauss-Newton step that bounds and active constraints
-                           // leave at z, in sds of exp(-cost) [1]; NaN: residuals next to z are
-                           // not finite
-  int sides = 1;           // of a kink of the residuals at z, whose mean slope `newton_step` is of,
-                           // within 1e-3 sds of z; 1: no kink [1]
+  Eigen::VectorXd z;  // (n)
+  double cost = 0;    // 1/2 |r|^2 [1]
+  Status status =
+      Status::kStalled;  // kSolved: certified by `newton_step`, and no constraint is violated;
+                         // kStalled: one of these does not hold, or the solver failed
+  bool failed = false;   // the solver ended with an error, or found the bounds infeasible
+  std::string message;  // message of the solver, followed by failed checks and violated constraints
+  int evaluations = 0;  // number of evaluations of the residuals
+  double seconds = 0;   // wall time [s]
+  double newton_step =
+      0;  // length of the Gauss-Newton step along the directions left free by bounds and active
+          // constraints at z, in sds of exp(-cost) [1]; NaN: the residuals near z are not finite
+  int kink_sides = 1;  // number of sides of a kink of the residuals within 1e-3 sds of z, whose
+                       // averaged gradient gives `newton_step`; 1: no kink [1]
 
-  /// Certified, and not broken off.
+  /// Returns whether the point is certified and the solver did not fail.
   [[nodiscard]] bool converged() const { return status == Status::kSolved && !failed; }
 };
 
-/// Minimises from `start` (n), which is first brought within the bounds; where a lower bound is the
-/// upper one, the coordinate is held.
+/// Minimises from `start` (n), which is projected onto the bounds first. A coordinate with equal
+/// bounds is held fixed.
 ///
-/// What a solver calls converged is certified: with F the coordinates that no bound holds against
-/// the gradient g, the step left is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must not exceed the larger of
-/// 0.01 and sqrt(20 tolerance cost). J is that of the residuals; without one, it is taken by
-/// central differences within the bounds. If the step is longer, the status is kStalled; with
-/// kCeres, the search first goes on once from there, at a tolerance of 1e-15. With kCeres and no
-/// constraints the step may also be that of the mean slope of a kink (`sides`).
-/// Constraints are kept to 1e-6; a point that breaks one is kStalled with every method.
-/// @throws InputError if shapes disagree, bounds are crossed, start is not finite, the residuals at
-///         it are not, kCeres or kIpopt get no Jacobian, or the tolerance is not positive and
-///         finite.
+/// The convergence claimed by a solver is verified: with F the coordinates that no bound holds
+/// against the gradient g, the remaining step is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must not exceed
+/// the larger of 0.01 and sqrt(20 tolerance cost). J is the Jacobian of the residuals or, if they
+/// have none, computed by central differences within the bounds. If the step is longer, the status
+/// is kStalled; kCeres first restarts once from there with a tolerance of 1e-15. With kCeres and
+/// without constraints, the step may also be that of the averaged gradient at a kink
+/// (`kink_sides`). Constraints are satisfied to 1e-6; a point that violates one is kStalled with
+/// every method.
+/// @throws InputError if shapes disagree, bounds are crossed, start or the residuals there are not
+/// finite, kCeres or kIpopt get no Jacobian, or the tolerance is not positive and finite.
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options = {});
 
-/// "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError for another name.
+/// Returns the method named "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError
+/// otherwise.
 [[nodiscard]] LeastSquaresMethod least_squares_method(const std::string& name);
 [[nodiscard]] std::string name_of(LeastSquaresMethod method);
 
-/// The word of fit files and tables for how a search ended: "converged", "limit reached",
-/// "stopped", "failed" or "not stationary".
+/// Returns the word that fit files and tables use for the outcome of a search: "converged",
+/// "limit reached", "stopped", "failed" or "not stationary".
 [[nodiscard]] std::string convergence_word(const Solution& solution);
 
 namespace internal {
@@ -139,38 +142,41 @@ Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const So
 Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& start,
                                    const SolveOptions&);
 
-/// Newton steps towards the minimum, to where less is left to gain than the tolerance asks. J'J
-/// alone leaves out the curvature of residuals that stay large; what is left out shows in how the
-/// Jacobian changes from step to step, part by part, so that many blocks take no more steps than
-/// one. The cost never rises beyond rounding.
-/// @param most      evaluations at most [1]
-/// @param solution  where it begins; the best point found
-/// @return whether it got there or was stopped; if not, the status is as before
+/// Takes Newton steps until the predicted decrease is below the tolerance. Gauss-Newton's J'J
+/// neglects the curvature of large residuals; secant updates estimate it from the changes of the
+/// Jacobian between steps. The update is done part by part, so that many blocks need no more steps
+/// than one. The cost never rises beyond rounding.
+/// @param max_evaluations      maximum number of evaluations [1]
+/// @param solution  initial point on input, best point found on output
+/// @return whether it converged or was stopped; if not, the status is unchanged
 /// Source: [DennisGayWelsch1981], structured secants; [Griewank1982], part by part.
-bool search_by_secants(const LeastSquares&, const SolveOptions&, int most, Solution& solution);
+bool search_by_secants(const LeastSquares&, const SolveOptions&, int max_evaluations,
+                       Solution& solution);
 
-/// Steps to where the slopes of the cost on the sides of a kink balance. Residuals may have slopes
-/// that jump; a minimum may lie on such a kink, where no gradient vanishes. With g_i the gradients
-/// found within 1e-3 sds of z, the step that is left is that of their smallest mean,
-///   min over shares w >= 0, sum w = 1 of  |sum w_i g_i|,  in the norm  sqrt(g' (J'J)^-1 g).
-/// Where a step along it does not lower the cost, the gradient beyond the kink joins the others.
-/// @param solution  where it begins; the best point found
-/// @return whether less than 3e-3 sds is left, or it was stopped; if not, the status is as before
-/// Source: [Goldstein1977] for the set of slopes, [Wolfe1975] for the search.
+/// Searches for a minimum on a kink, where the residuals' derivatives jump and no gradient
+/// vanishes. With g_i the gradients found within 1e-3 sds of z, the remaining step is that of the
+/// convex combination of minimum norm,
+///   min over w >= 0, sum w = 1 of  |sum w_i g_i|,  in the norm  sqrt(g' (J'J)^-1 g).
+/// If a step along it does not lower the cost, the gradient beyond the kink is added to the set.
+/// @param solution  initial point on input, best point found on output
+/// @return whether the remaining step is below 3e-3 sds, or the search was stopped; if not, the
+/// status is
+/// unchanged
+/// Source: [Goldstein1977] for the set of gradients, [Wolfe1975] for the search.
 bool search_at_kink(const LeastSquares&, const SolveOptions&, Solution& solution);
 
-/// The parts of the residuals; an ordinary problem is a single part that knows all coordinates.
+/// Residuals by parts; a dense problem is a single part that depends on all coordinates.
 struct ResidualBlocks {
   ArrowLayout layout;
   std::vector<ResidualPart> parts;
 };
 [[nodiscard]] ResidualBlocks blocks_of(const LeastSquares&);
 
-/// Returns whether the gradient pushes coordinate i against a bound on which it lies.
-[[nodiscard]] bool held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
-                        Eigen::Index i);
+/// Returns whether coordinate i lies on a bound that the gradient pushes it against.
+[[nodiscard]] bool is_held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
+                           Eigen::Index i);
 
-/// The coordinates that no bound holds against the gradient (n).
+/// Returns, for each coordinate, whether no bound holds it against the gradient (n).
 [[nodiscard]] std::vector<bool> free_coordinates(const LeastSquares&, const Eigen::VectorXd& z,
                                                  const Eigen::VectorXd& gradient);
 }  // namespace internal

@@ -9,10 +9,10 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Some of the residuals, with their exact Jacobian by the shared coordinates and by one block.
-class Cost final : public ceres::CostFunction {
+/// Residuals of one part, with their Jacobian by the shared coordinates and by one block.
+class PartCost final : public ceres::CostFunction {
  public:
-  Cost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
+  PartCost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
       : part_(part), layout_(layout), evaluations_(evaluations) {
     set_num_residuals(rows);
     mutable_parameter_block_sizes()->push_back(layout.shared);
@@ -21,24 +21,24 @@ class Cost final : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    // Entries of other blocks are not looked at.
+    // Gather the entries that the part reads.
     const bool own = part_.block >= 0;
     Eigen::VectorXd z = Eigen::VectorXd::Zero(layout_.size());
     z.head(layout_.shared) = Eigen::Map<const Eigen::VectorXd>(parameters[0], layout_.shared);
     if (own)
-      z.segment(layout_.first(part_.block), layout_.own) =
+      z.segment(layout_.first_index(part_.block), layout_.own) =
           Eigen::Map<const Eigen::VectorXd>(parameters[1], layout_.own);
     const Residuals out =
         part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
     ++evaluations_;
-    // Residuals, and the two parts of the Jacobian if asked for.
+    // Return the residuals and, if requested, both parts of the Jacobian.
     Eigen::Map<Eigen::VectorXd>(residuals, out.r.size()) = out.r;
     if (jacobians != nullptr && jacobians[0] != nullptr)
       Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), layout_.shared) =
           out.J.leftCols(layout_.shared);
     if (jacobians != nullptr && own && jacobians[1] != nullptr)
       Eigen::Map<RowMajor>(jacobians[1], out.J.rows(), layout_.own) = out.J.rightCols(layout_.own);
-    return out.r.allFinite();  // a step into nonsense is shortened, not taken
+    return out.r.allFinite();  // Ceres shortens steps to points that are not finite
   }
 
  private:
@@ -47,10 +47,10 @@ class Cost final : public ceres::CostFunction {
   int& evaluations_;
 };
 
-/// Reports every iteration and passes a stop request on.
-class Listener final : public ceres::IterationCallback {
+/// Reports every iteration, and forwards stop requests.
+class ProgressCallback final : public ceres::IterationCallback {
  public:
-  Listener(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
+  ProgressCallback(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     progress_(static_cast<double>(summary.iteration) / limit_, "ceres");
     return progress_.stop() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
@@ -71,14 +71,16 @@ Status status_of(const ceres::Solver::Summary& summary) {
 
 namespace {
 
-/// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
-void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
-  constexpr double kNoRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
+/// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
+void set_bounds(const LeastSquares& problem, int first, int count, double* z,
+                ceres::Problem& ceres) {
+  constexpr double kMinBlockWidth =
+      1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
   std::vector<int> held;
-  // Coordinates between equal bounds are held.
+  // Set the bounds, and collect fixed coordinates.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
-    if (upper - lower <= kNoRoom) {
+    if (upper - lower <= kMinBlockWidth) {
       held.push_back(i);
       continue;
     }
@@ -100,28 +102,30 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   Solution solution;
   solution.z = start;
 
-  // Each part of the residuals sees the shared coordinates and those of its block.
+  // Add each part of the residuals with the parameter blocks that it reads.
   ceres::Problem ceres_problem;
   double* z = solution.z.data();
   int calls = 0;
   for (const ResidualPart& part : blocks.parts) {
     const auto rows = static_cast<int>(part.residuals(start, WithJacobian::kNo).r.size());
-    std::vector<double*> of{z};
-    if (part.block >= 0) of.push_back(z + layout.first(part.block));
-    ceres_problem.AddResidualBlock(new Cost(part, layout, rows, calls), nullptr, of);
+    std::vector<double*> block_parameters{z};
+    if (part.block >= 0) block_parameters.push_back(z + layout.first_index(part.block));
+    ceres_problem.AddResidualBlock(new PartCost(part, layout, rows, calls), nullptr,
+                                   block_parameters);
   }
-  bound(problem, 0, layout.shared, z, ceres_problem);
+  set_bounds(problem, 0, layout.shared, z, ceres_problem);
   for (int b = 0; b < layout.blocks; ++b)
-    bound(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
+    set_bounds(problem, layout.first_index(b), layout.own, z + layout.first_index(b),
+               ceres_problem);
 
-  // Blocks are eliminated one by one; what is left is as large as what they share.
+  // Eliminate blocks by Schur complements if there are any.
   ceres::Solver::Options settings;
   settings.linear_solver_type =
       layout.blocks > 0 ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;
   if (layout.blocks > 0) {
     auto* order = new ceres::ParameterBlockOrdering;
     order->AddElementToGroup(z, 1);
-    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first(b), 0);
+    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first_index(b), 0);
     settings.linear_solver_ordering.reset(order);
   }
   settings.max_num_iterations = options.max_evaluations > 0 ? options.max_evaluations : 500;
@@ -129,8 +133,8 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   settings.parameter_tolerance = 1e-12;
   settings.gradient_tolerance = 1e-10;
   settings.logging_type = ceres::SILENT;
-  Listener listener(options.progress, settings.max_num_iterations);
-  settings.callbacks.push_back(&listener);
+  ProgressCallback callback(options.progress, settings.max_num_iterations);
+  settings.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   ceres::Solve(settings, &ceres_problem, &summary);
 

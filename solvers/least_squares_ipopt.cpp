@@ -6,18 +6,18 @@
 namespace thenar::internal {
 namespace {
 
-/// Thrown through the solver to leave it; the best point is kept by then.
+/// Exception that leaves the solver after a stop request; the best point has been stored.
 struct StopRequested {};
 
-/// Evaluator of residuals that keeps the last point, since cost, gradient and Hessian need the same
-/// one.
+/// Evaluator of residuals with a cache of the last point, because cost, gradient and Hessian are
+/// requested at the same point.
 class Evaluator {
  public:
   Evaluator(const LeastSquares& problem, const SolveOptions& options, Solution& best)
       : problem_(problem), options_(options), best_(best) {}
 
-  const Residuals& at(const Eigen::VectorXd& z) {
-    // The same point again.
+  const Residuals& evaluate(const Eigen::VectorXd& z) {
+    // Return the cached values at the same point.
     if (z_.size() == z.size() && z_ == z) return last_;
     z_ = z;
     last_ = problem_.residuals(z, WithJacobian::kYes);
@@ -29,18 +29,17 @@ class Evaluator {
   }
 
  private:
-  /// Keeps the point of lowest cost so far that honours the constraints, for a search that is
-  /// stopped.
+  /// Stores the feasible point with the lowest cost so far, for a search that is stopped.
   void keep_best() {
-    // Violation of scaled constraints at which a point still counts as feasible [1]
-    constexpr double kIpoptSlack = 1e-6;
-    // A lower cost counts if constraints hold.
+    // Maximum violation of scaled constraints at a feasible point [1]
+    constexpr double kMaxIpoptViolation = 1e-6;
+    // Accept a lower cost if the constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;
     if (problem_.constraints && best_.evaluations > 1) {
       const Eigen::VectorXd c = problem_.constraints(z_).c;
-      if ((c.array() < problem_.c_lower.array() - kIpoptSlack).any()) return;
-      if ((c.array() > problem_.c_upper.array() + kIpoptSlack).any()) return;
+      if ((c.array() < problem_.c_lower.array() - kMaxIpoptViolation).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kMaxIpoptViolation).any()) return;
     }
     best_.cost = cost;
     best_.z = z_;
@@ -53,24 +52,25 @@ class Evaluator {
   Residuals last_;
 };
 
+/// Converts the least-squares problem to a nonlinear program.
 NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
   NonlinearProgram program;
-  // Cost, bounds and constraints as Ipopt asks for them.
+  // Cost, bounds and constraints.
   program.lower = problem.lower;
   program.upper = problem.upper;
   program.row_lower = problem.c_lower;
   program.row_upper = problem.c_upper;
   program.objective = [&](const Eigen::VectorXd& z) {
-    return 0.5 * evaluator.at(z).r.squaredNorm();
+    return 0.5 * evaluator.evaluate(z).r.squaredNorm();
   };
   program.gradient = [&](const Eigen::VectorXd& z) -> Eigen::VectorXd {
-    const Residuals& now = evaluator.at(z);
-    return now.J.transpose() * now.r;
+    const Residuals& current = evaluator.evaluate(z);
+    return current.J.transpose() * current.r;
   };
-  // Gauss-Newton: the curvature of residuals and constraints is left out.
+  // Gauss-Newton Hessian: the curvature of residuals and constraints is neglected.
   program.hessian = [&](const Eigen::VectorXd& z, double factor, const Eigen::VectorXd&) {
-    const Residuals& now = evaluator.at(z);
-    return Eigen::MatrixXd(factor * now.J.transpose() * now.J);
+    const Residuals& current = evaluator.evaluate(z);
+    return Eigen::MatrixXd(factor * current.J.transpose() * current.J);
   };
   if (problem.constraints) {
     program.constraints = [&](const Eigen::VectorXd& z) { return problem.constraints(z).c; };
@@ -87,7 +87,8 @@ Solution solve_ipopt_least_squares(const LeastSquares& problem, const Eigen::Vec
   best.z = start;
   Evaluator evaluator(problem, options, best);
   NonlinearOptions settings;
-  // At a minimum of whitened coordinates the scaled gradient falls with the change of the cost.
+  // In whitened coordinates, the scaled gradient at a minimum decreases with the change of the
+  // cost.
   settings.tolerance = options.tolerance;
   settings.acceptable_tolerance = std::max(1e-7, 10 * options.tolerance);
   if (options.max_evaluations > 0) settings.max_iterations = options.max_evaluations;

@@ -15,21 +15,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// Largest violation of a row, over max(1, its terms) [1]
+// Maximum violation of a row, over max(1, its terms) [1]
 constexpr double kFeasibilityError = 1e-12;
-constexpr double kPriceError = 1e-11;  // Largest violation of a price, over max(1, its terms) [1]
-constexpr double kGapError = 1e-11;    // Largest duality gap, over max(1, |objective|) [1]
-constexpr int kBasisRefinements = 2;   // Refinements of a linear system; one reaches rounding
+constexpr double kDualError = 1e-11;  // maximum violation of a dual, over max(1, its terms) [1]
+constexpr double kGapError = 1e-11;   // maximum duality gap, over max(1, |objective|) [1]
+constexpr int kBasisRefinements = 2;  // refinements of a linear system; one reaches rounding
 
-/// Column k of [A, -1].
+/// Returns column k of [A, -1].
 VectorXd column(const LinearProgram& program, Index k) {
   const Index n = program.A.cols();
   return k < n ? VectorXd(program.A.col(k)) : VectorXd(-VectorXd::Unit(program.A.rows(), k - n));
 }
 
-/// S x = b, with residuals in long double.
+/// Solves S x = b with iterative refinement in long double.
 template <typename Solver>
-VectorXd refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
+VectorXd solve_refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
   LongVector x = LongVector::Zero(b.size());
   for (int k = 0; k <= kBasisRefinements; ++k) {
     const LongVector residual = b - S.cast<long double>() * x;
@@ -38,27 +38,28 @@ VectorXd refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
   return x.cast<double>();
 }
 
-/// One price and the variable that it pushes to a bound.
-struct Push {
+/// Dual of a variable, with the value and the bounds of the variable.
+struct BoundDual {
   long double price;
-  double terms;  // sum of what the price was computed from, absolute
+  double terms;  // sum of the absolute values of the terms of the price
   double value, lower, upper;
 };
 
-void add(const Push& push, LinearCertificate& certificate) {
-  // A zero price proves nothing and costs nothing.
-  const auto price = static_cast<double>(std::abs(push.price));
-  const double bound = push.price > 0 ? push.upper : push.lower;
+/// Adds the contribution of a dual to the certificate.
+void add_dual(const BoundDual& dual, LinearCertificate& certificate) {
+  // A zero dual does not contribute.
+  const auto price = static_cast<double>(std::abs(dual.price));
+  const double bound = dual.price > 0 ? dual.upper : dual.lower;
   if (price == 0) return;
-  // Price times distance to its bound.
+  // Price times distance to the bound.
   if (std::isfinite(bound)) {
-    certificate.gap += price * std::abs(bound - push.value);
+    certificate.gap += price * std::abs(bound - dual.value);
     return;
   }
-  // No finite bound pays this price.
+  // The bound to which the price belongs is infinite.
   certificate.dual_violation =
-      max_or_nan(certificate.dual_violation, price / std::max(1.0, push.terms));
-  certificate.gap += price * std::abs(push.value);
+      max_or_nan(certificate.dual_violation, price / std::max(1.0, dual.terms));
+  certificate.gap += price * std::abs(dual.value);
 }
 
 double violation(double value, double lower, double upper, double terms) {
@@ -69,8 +70,8 @@ double violation(double value, double lower, double upper, double terms) {
 
 PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basis) {
   const Index n = program.A.cols(), rows = program.A.rows();
-  // Basis matrix and its costs.
-  VectorXd all = basis.at, costs = VectorXd::Zero(n + rows), basic_costs(rows);
+  // Assemble the basis matrix and its costs.
+  VectorXd all = basis.values, costs = VectorXd::Zero(n + rows), basic_costs(rows);
   costs.head(n) = program.objective;
   MatrixXd B(rows, rows);
   for (Index k = 0; k < rows; ++k) {
@@ -81,16 +82,18 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   }
   if (rows == 0) return {all.cwiseMax(program.lower).cwiseMin(program.upper), VectorXd(0)};
 
-  // What the others leave for the basic variables, and the duals that make these indifferent.
-  const LongVector others = all.cast<long double>();
-  const LongVector left = others.tail(rows) - program.A.cast<long double>() * others.head(n);
+  // Solve for the basic variables, and for the duals.
+  const LongVector nonbasic = all.cast<long double>();
+  const LongVector right_side =
+      nonbasic.tail(rows) - program.A.cast<long double>() * nonbasic.head(n);
   const Eigen::PartialPivLU<MatrixXd> lu(B);
-  const VectorXd values = refined(lu, B, left);
-  const MatrixXd B_turned = B.transpose();
-  const Eigen::PartialPivLU<MatrixXd> lu_turned(B_turned);
-  const VectorXd duals = refined(lu_turned, B_turned, basic_costs.cast<long double>());
+  const VectorXd values = solve_refined(lu, B, right_side);
+  const MatrixXd B_transposed = B.transpose();
+  const Eigen::PartialPivLU<MatrixXd> lu_transposed(B_transposed);
+  const VectorXd duals =
+      solve_refined(lu_transposed, B_transposed, basic_costs.cast<long double>());
 
-  // The vertex within its bounds.
+  // Project the vertex onto its bounds.
   for (Index k = 0; k < rows; ++k) all(basis.basic[k]) = values(k);
   const VectorXd x = all.head(n);
   if (!x.allFinite()) return {x, duals};
@@ -103,11 +106,11 @@ LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& p
   if (!x.allFinite() || !y.allFinite()) {
     return {kNaN, kNaN, kNaN};
   }
-  const auto largest = [&](double value) {
+  const auto record_violation = [&](double value) {
     certificate.violation = max_or_nan(certificate.violation, value);
   };
 
-  // Columns: what is left of the objective after the rows are paid.
+  // Columns: reduced costs.
   for (Index j = 0; j < x.size(); ++j) {
     long double price = program.objective(j);
     double terms = std::abs(program.objective(j));
@@ -115,8 +118,8 @@ LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& p
       price -= static_cast<long double>(program.A(i, j)) * y(i);
       terms += std::abs(program.A(i, j) * y(i));
     }
-    largest(violation(x(j), program.lower(j), program.upper(j), std::abs(x(j))));
-    add({price, terms, x(j), program.lower(j), program.upper(j)}, certificate);
+    record_violation(violation(x(j), program.lower(j), program.upper(j), std::abs(x(j))));
+    add_dual({price, terms, x(j), program.lower(j), program.upper(j)}, certificate);
   }
 
   // Rows.
@@ -128,14 +131,15 @@ LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& p
       terms += std::abs(program.A(i, j) * x(j));
     }
     const auto value = static_cast<double>(activity);
-    largest(violation(value, program.row_lower(i), program.row_upper(i), terms));
-    add({y(i), std::abs(y(i)), value, program.row_lower(i), program.row_upper(i)}, certificate);
+    record_violation(violation(value, program.row_lower(i), program.row_upper(i), terms));
+    add_dual({y(i), std::abs(y(i)), value, program.row_lower(i), program.row_upper(i)},
+             certificate);
   }
   return certificate;
 }
 
-bool holds(const LinearCertificate& certificate, double objective) {
-  return certificate.violation <= kFeasibilityError && certificate.dual_violation <= kPriceError &&
+bool is_certified(const LinearCertificate& certificate, double objective) {
+  return certificate.violation <= kFeasibilityError && certificate.dual_violation <= kDualError &&
          certificate.gap <= kGapError * std::max(1.0, std::abs(objective));
 }
 

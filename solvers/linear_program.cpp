@@ -18,9 +18,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using internal::SimplexBasis;
 
-constexpr double kClpTolerance = 1e-12;     // Violation of a row that CLP is asked for
-constexpr double kOptimalityError = 1e-11;  // Violation of reduced costs that CLP is asked for
-constexpr double kBarelyFeasible = 1e-9;  // Sums of violations below this are rounding of the rows
+constexpr double kClpTolerance = 1e-12;         // violation of rows that CLP allows
+constexpr double kOptimalityError = 1e-11;      // violation of reduced costs that CLP allows
+constexpr double kMaxRoundingViolation = 1e-9;  // sum of violations that rounding may cause
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
@@ -42,33 +42,33 @@ void check(const LinearProgram& program) {
 }
 
 void load(ClpSimplex& simplex, const LinearProgram& program) {
-  // Matrix by columns, without zeros.
+  // Copy the matrix by columns, without zeros.
   const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
   const VectorXd row_lower = clp_bounds(program.row_lower);
   const VectorXd row_upper = clp_bounds(program.row_upper);
-  CoinPackedMatrix A(true, 0, 0);  // by columns
+  CoinPackedMatrix A(true, 0, 0);  // column-major
   A.setDimensions(static_cast<int>(program.A.rows()), static_cast<int>(program.A.cols()));
   for (int j = 0; j < program.A.cols(); ++j)
     for (int i = 0; i < program.A.rows(); ++i)
       if (program.A(i, j) != 0) A.modifyCoefficient(i, j, program.A(i, j));
   simplex.loadProblem(A, lower.data(), upper.data(), program.objective.data(), row_lower.data(),
                       row_upper.data());
-  // Settings that make answers repeatable.
+  // Choose settings that make answers reproducible.
   simplex.setOptimizationDirection(-1);  // maximise
-  simplex.scaling(0);  // its scales hide reduced costs of the wrong sign; ours are of order one
+  simplex.scaling(0);                    // scaling would hide wrong signs of reduced costs
   simplex.setPrimalTolerance(kClpTolerance);
   simplex.setDualTolerance(kOptimalityError);
   simplex.setPerturbation(100);  // none: the same program gives the same vertex
   simplex.setLogLevel(0);
 }
 
-/// Proposal of a method. It is not trusted: `end` only says what to try to prove.
+/// Proposal of a method. It is not trusted: `end` only indicates what to prove.
 struct Proposal {
-  Status end;
+  Status claim;
   std::optional<SimplexBasis> basis;
 };
 
-/// The basis where CLP stopped; none if it does not have as many variables as there are rows.
+/// Returns CLP's final basis; nothing if the number of basic variables is not that of the rows.
 std::optional<SimplexBasis> basis_of(const ClpSimplex& simplex, const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
   SimplexBasis basis{{}, VectorXd::Zero(n + rows)};
@@ -80,7 +80,7 @@ std::optional<SimplexBasis> basis_of(const ClpSimplex& simplex, const LinearProg
     }
     const bool at_upper = std::abs(value - upper) < std::abs(value - lower);
     const double nearest = at_upper ? upper : lower;
-    basis.at(k) = std::isfinite(nearest) ? nearest : value;
+    basis.values(k) = std::isfinite(nearest) ? nearest : value;
   };
   // Columns, then rows.
   for (Index j = 0; j < n; ++j)
@@ -99,16 +99,16 @@ constexpr Method kLinearMethods[] = {Method::kClpPrimal, Method::kClpDual, Metho
 Proposal propose(const LinearProgram& program, Method method) {
   if (method == Method::kDense) {
     const internal::SimplexVertex vertex = internal::dense_simplex(program);
-    return {vertex.end, vertex.basis};
+    return {vertex.claim, vertex.basis};
   }
-  // CLP's primal or dual method.
+  // Run CLP's primal or dual method.
   ClpSimplex simplex;
   load(simplex, program);
   method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
   constexpr Status kEnds[] = {Status::kSolved, Status::kInfeasible, Status::kUnbounded};
   const int status = simplex.status();
-  const Status end = status >= 0 && status < 3 ? kEnds[status] : Status::kStalled;
-  return {end, basis_of(simplex, program)};
+  const Status claim = status >= 0 && status < 3 ? kEnds[status] : Status::kStalled;
+  return {claim, basis_of(simplex, program)};
 }
 
 LinearResult unsolved(const LinearProgram& program, Status status) {
@@ -119,29 +119,30 @@ LinearResult unsolved(const LinearProgram& program, Status status) {
           {kNaN, kNaN, kNaN}};
 }
 
-/// The vertex of a basis, if its certificate holds.
-std::optional<LinearResult> certified(const LinearProgram& program, const Proposal& proposal) {
+/// Returns the vertex of a basis if its certificate holds.
+std::optional<LinearResult> certified_result(const LinearProgram& program,
+                                             const Proposal& proposal) {
   if (!proposal.basis) return std::nullopt;
   const internal::PrimalDualPoint point = internal::vertex_of(program, *proposal.basis);
   const double objective = program.objective.dot(point.x);
   const LinearCertificate certificate = internal::certify(program, point);
-  if (!internal::holds(certificate, objective)) return std::nullopt;
+  if (!internal::is_certified(certificate, objective)) return std::nullopt;
   return LinearResult{Status::kSolved, point.x, objective, point.duals, certificate};
 }
 
-/// Every method in turn, until an answer is certified; for programs that have one.
-LinearResult optimum(const LinearProgram& program) {
+/// Tries every method until a result is certified; for programs that have an optimum.
+LinearResult find_optimum(const LinearProgram& program) {
   for (const Method method : kLinearMethods)
-    if (const auto result = certified(program, propose(program, method))) return *result;
+    if (const auto result = certified_result(program, propose(program, method))) return *result;
   return unsolved(program, Status::kStalled);
 }
 
-/// maximise  -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper:  it has an optimum
-/// always, and its duals are a Farkas ray where that is not zero.
-LinearProgram elastic(const LinearProgram& program) {
+/// Returns the program  maximise -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper.
+/// It always has an optimum, and its duals are a Farkas ray if that is not zero.
+LinearProgram elastic_program(const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
   LinearProgram result = program;
-  // Two unknowns for each row take up what it lacks.
+  // Add two variables for the violation of each row.
   result.A.resize(rows, n + 2 * rows);
   result.A << program.A, MatrixXd::Identity(rows, rows), -MatrixXd::Identity(rows, rows);
   result.objective = -VectorXd::Ones(n + 2 * rows);
@@ -153,8 +154,8 @@ LinearProgram elastic(const LinearProgram& program) {
   return result;
 }
 
-/// The directions in which the program never ends, no component longer than one.
-LinearProgram recession(LinearProgram program) {
+/// Returns the program of recession directions, no component longer than one.
+LinearProgram recession_program(LinearProgram program) {
   const auto homogeneous = [](double bound) { return std::isfinite(bound) ? 0.0 : bound; };
   program.row_lower = program.row_lower.unaryExpr(homogeneous);
   program.row_upper = program.row_upper.unaryExpr(homogeneous);
@@ -163,16 +164,15 @@ LinearProgram recession(LinearProgram program) {
   return program;
 }
 
-/// Finds whether there is a feasible point. Rows that are missed by rounding alone are relaxed to
-/// meet it.
-/// @param proof  becomes the optimum of the elastic program: a point, or duals that are a Farkas
+/// Finds whether a feasible point exists. Rows that are violated by rounding only are relaxed.
+/// @param proof  receives the optimum of the elastic program: a point, or duals that are a Farkas
 /// ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {
-  // Least sum of violations.
-  proof = optimum(elastic(program));
+  // Minimise the sum of violations.
+  proof = find_optimum(elastic_program(program));
   if (proof.status != Status::kSolved) return Status::kStalled;
-  if (-proof.objective > kBarelyFeasible) return Status::kInfeasible;
-  // Rounding: relax the rows by what is missing.
+  if (-proof.objective > kMaxRoundingViolation) return Status::kInfeasible;
+  // Relax the rows by violations due to rounding.
   const Index rows = program.A.rows();
   const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
   program.row_lower -= added;
@@ -180,9 +180,10 @@ Status find_feasible(LinearProgram& program, LinearResult& proof) {
   return Status::kSolved;
 }
 
-/// No method's optimum was certified: prove that there is none, or meet the rows to rounding.
-LinearResult without_optimum(const LinearProgram& asked) {
-  LinearProgram program = asked;
+/// Handles a program without certified optimum: proves that there is none, or relaxes rows to
+/// rounding.
+LinearResult resolve_without_optimum(const LinearProgram& original) {
+  LinearProgram program = original;
   LinearResult proof;
   const Status feasible = find_feasible(program, proof);
   if (feasible != Status::kSolved) {
@@ -191,19 +192,19 @@ LinearResult without_optimum(const LinearProgram& asked) {
     if (feasible == Status::kInfeasible) result.ray = proof.duals;
     return result;
   }
-  // A ray that improves the objective for ever.
-  const LinearResult ray = optimum(recession(program));
-  if (ray.status == Status::kSolved && ray.objective > kBarelyFeasible) {
+  // Find a ray along which the objective improves without limit.
+  const LinearResult ray = find_optimum(recession_program(program));
+  if (ray.status == Status::kSolved && ray.objective > kMaxRoundingViolation) {
     LinearResult result = unsolved(program, Status::kUnbounded);
     result.certificate = ray.certificate;
     result.x = proof.x.head(program.A.cols());
     result.ray = ray.x;
     return result;
   }
-  // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.
-  LinearResult result = optimum(program);
+  // Solve with relaxed rows, and report the violation of the original ones.
+  LinearResult result = find_optimum(program);
   if (result.status == Status::kSolved)
-    result.certificate.violation = internal::certify(asked, {result.x, result.duals}).violation;
+    result.certificate.violation = internal::certify(original, {result.x, result.duals}).violation;
   return result;
 }
 
@@ -212,18 +213,18 @@ bool bounds_cross(const LinearProgram& program) {
          (program.row_lower.array() > program.row_upper.array()).any();
 }
 
-/// The program with duals and objective of order one.
+/// Solves a program with duals and objective of order one.
 LinearResult solve_scaled(const LinearProgram& program) {
-  // A method that stops without an optimum ends the round: its word is proved or refuted below.
+  // A claim that there is no optimum is proved or refuted at once.
   for (const Method method : kLinearMethods) {
     const Proposal proposal = propose(program, method);
-    if (const auto result = certified(program, proposal)) return *result;
-    if (proposal.end == Status::kInfeasible || proposal.end == Status::kUnbounded) {
-      LinearResult result = without_optimum(program);
+    if (const auto result = certified_result(program, proposal)) return *result;
+    if (proposal.claim == Status::kInfeasible || proposal.claim == Status::kUnbounded) {
+      LinearResult result = resolve_without_optimum(program);
       if (result.status != Status::kStalled) return result;
     }
   }
-  return without_optimum(program);
+  return resolve_without_optimum(program);
 }
 
 }  // namespace
@@ -231,14 +232,14 @@ LinearResult solve_scaled(const LinearProgram& program) {
 LinearResult solve(const LinearProgram& program) {
   check(program);
   if (bounds_cross(program)) return unsolved(program, Status::kInfeasible);
-  // Objective of order one.
+  // Scale the objective to order one.
   const double size = program.objective.size() > 0 ? program.objective.cwiseAbs().maxCoeff() : 0;
   if (size == 0) return solve_scaled(program);
   LinearProgram scaled = program;
   scaled.objective /= size;
   LinearResult result = solve_scaled(scaled);
   if (result.status != Status::kSolved) return result;
-  // Back to its own scale.
+  // Restore the original scale.
   result.objective = program.objective.dot(result.x);
   result.duals *= size;
   result.certificate.gap *= size;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linear programs of a few dozen variables, each answer with a certificate of our own.
+/// Linear programs of a few dozen variables; each answer has a certificate.
 
 #include <Eigen/Core>
 
@@ -8,8 +8,8 @@
 
 namespace thenar {
 
-/// maximise objective' x  subject to  row_lower <= A x <= row_upper,  lower <= x <= upper.
-/// Bounds may be infinite; an equality has both its bounds alike.
+/// Problem:  maximise objective' x  subject to  row_lower <= A x <= row_upper,  lower <= x <=
+/// upper. Bounds may be infinite; the two bounds of an equality are equal.
 struct LinearProgram {
   Eigen::VectorXd objective;             // (n)
   Eigen::MatrixXd A;                     // (r, n)
@@ -17,18 +17,17 @@ struct LinearProgram {
   Eigen::VectorXd lower, upper;          // (n)
 };
 
-/// Certificate of x: its infeasibility, and the most by which any feasible point can exceed its
-/// objective. Duals of the bounds of x are  d = objective - A' duals.
+/// Certificate of x: its infeasibility, and an upper bound of how much any feasible point can
+/// exceed its objective. Duals of the bounds of x are  d = objective - A' duals.
 struct LinearCertificate {
-  double violation;       // largest amount by which x breaks a bound or row, over
-                          // max(1, sum |a_ij x_j|) [1]
-  double dual_violation;  // largest dual whose sign belongs to an infinite bound, over max(1, sum
-                          // of the absolute values that add up to it) [1]
-  double gap;  // (upper bound of the optimum) - objective' x = sum of |dual| x slack, in units of
+  double violation;       // largest violation of a bound or row, over max(1, sum |a_ij x_j|) [1]
+  double dual_violation;  // largest dual that pushes to an infinite bound, over max(1, sum of the
+                          // absolute values of its terms) [1]
+  double gap;  // upper bound of the optimum minus objective' x: sum of |dual| x slack, in units of
                // the objective
 };
 
-/// Answer of a linear program, with its proof. What the fields hold for each status:
+/// Answer of a linear program, with its certificate. Contents of the fields for each status:
 ///
 /// | status | x | duals | certificate | ray |
 /// |---|---|---|---|---|
@@ -37,10 +36,10 @@ struct LinearCertificate {
 /// | kUnbounded | feasible to 1e-9 | zero | of the greatest growth | v (n), see below |
 /// | kStalled | zero | zero | NaN | empty |
 ///
-/// Infeasible: no x between its bounds keeps all rows to a sum of violations of 1e-9. With
+/// Infeasible: no x between its bounds satisfies all rows to a sum of violations of 1e-9. With
 /// |y_i| <= 1,  min over these x of  y' A x  exceeds  sum_i max(y_i row_lower_i, y_i row_upper_i)
-/// (Farkas); entries of y whose bound is infinite are below 1e-11 and count as zero. Where a lower
-/// bound exceeds its upper one this needs no proof: the ray is empty and the certificate NaN.
+/// (Farkas); entries of y whose bound is infinite are below 1e-11 and count as zero. If a lower
+/// bound exceeds its upper bound, no proof is needed: the ray is empty and the certificate NaN.
 /// Unbounded: x + s v is feasible for all s >= 0, its objective grows by objective' v > 0, and
 /// |v_j| <= 1.
 struct LinearResult {
@@ -48,25 +47,25 @@ struct LinearResult {
   Eigen::VectorXd x;              // (n)
   double objective = 0;           // objective' x if solved, else NaN
   Eigen::VectorXd duals;          // d objective / d row bound (r)
-  LinearCertificate certificate;  // NaN: there is none
+  LinearCertificate certificate;  // certificate of x and duals; NaN: none
   Eigen::VectorXd ray = {};       // proof of kInfeasible or kUnbounded
 };
 
-/// Solves by the simplex method, and certifies the answer whatever the solver says of it.
+/// Solves by the simplex method, and certifies the answer independently of the solver.
 ///
-/// CLP proposes a basis. Its vertex and duals are computed again from the basis, with refined
-/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, each dual has the
-/// sign that belongs to the bound at which its row or variable lies, and the gap is below 1e-11 of
-/// the larger of |objective| and its largest coefficient. If that fails, CLP's dual method is
-/// asked, then a dense simplex method of our own. Infeasible and unbounded are certified too: by
-/// the least sum of violations, and by a ray. Rows and columns should be of order one. Rows that
-/// can be met to 1e-9 but not to 1e-12 are relaxed by what is missing: then `certificate.violation`
-/// states by how much x breaks the rows of `program`, up to 1e-9, and the gap is that of the
-/// relaxed program.
+/// CLP proposes a basis. Its vertex and duals are recomputed from the basis with iterative
+/// refinement, and certified by weak duality: x satisfies rows and bounds to 1e-12, each dual has
+/// the sign of the bound at which its row or variable lies, and the gap is below 1e-11 of the
+/// larger of |objective| and its largest coefficient. If that fails, CLP's dual method is tried,
+/// then a dense simplex method. Infeasibility and unboundedness are certified too: by the minimum
+/// sum of violations, and by a ray. Rows and columns should be of order one. Rows that can be
+/// satisfied to 1e-9 but not to 1e-12 are relaxed by the difference: then `certificate.violation`
+/// gives the violation of the original rows by x, up to 1e-9, and the gap is that of the relaxed
+/// program.
 ///
 /// @throws InputError if shapes disagree, an entry of A or the objective is not finite, or a bound
 ///         is NaN.
-/// Source: [Forrest2005] for CLP, [Bland1977] for the rule that ends our own method.
+/// Source: [Forrest2005] for CLP, [Bland1977] for the rule that prevents cycling.
 [[nodiscard]] LinearResult solve(const LinearProgram& program);
 
 }  // namespace thenar

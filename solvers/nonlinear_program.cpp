@@ -23,7 +23,7 @@ using Ipopt::Number;
 using ConstMap = Eigen::Map<const VectorXd>;
 using Map = Eigen::Map<VectorXd>;
 
-/// Presents a program to Ipopt; every matrix is handed over dense.
+/// Adapter of a program to Ipopt; every matrix is passed as dense.
 class DenseTnlp : public Ipopt::TNLP {
  public:
   DenseTnlp(const NonlinearProgram& program, const VectorXd& x0)
@@ -102,7 +102,7 @@ class DenseTnlp : public Ipopt::TNLP {
               Index* row, Index* column, Number* values) override {
     if (!program_.hessian) return false;
     if (values == nullptr) {
-      each_lower([&](Index k, Index i, Index j) {
+      for_each_lower([&](Index k, Index i, Index j) {
         row[k] = i;
         column[k] = j;
       });
@@ -110,11 +110,11 @@ class DenseTnlp : public Ipopt::TNLP {
     }
     return guarded([&] {
       const Eigen::MatrixXd H = program_.hessian(ConstMap(x, n_), factor, ConstMap(lambda, rows_));
-      each_lower([&](Index k, Index i, Index j) { values[k] = H(i, j); });
+      for_each_lower([&](Index k, Index i, Index j) { values[k] = H(i, j); });
     });
   }
 
-  /// Ends the search after an exception; Ipopt itself would try ever shorter steps for minutes.
+  /// Ends the search after an exception; otherwise Ipopt would try ever shorter steps for minutes.
   // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
                              Number, Number, Number, Index, const Ipopt::IpoptData*,
@@ -134,9 +134,9 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
  private:
-  static constexpr double kIpoptInfinity = 1e20;  // Ipopt's own sign for "no bound"
+  static constexpr double kIpoptInfinity = 1e20;  // Ipopt's representation of "no bound"
 
-  /// Keeps an exception for solve_ipopt(), which throws it on: none may cross Ipopt.
+  /// Stores an exception for solve_ipopt(), which rethrows it: none may propagate through Ipopt.
   template <typename Work>
   bool guarded(const Work& work) {
     if (thrown_) return false;
@@ -150,7 +150,7 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
   template <typename Visit>
-  void each_lower(const Visit& visit) const {
+  void for_each_lower(const Visit& visit) const {
     Index k = 0;
     for (Index i = 0; i < n_; ++i)
       for (Index j = 0; j <= i; ++j) visit(k++, i, j);
@@ -176,8 +176,9 @@ void check(const NonlinearProgram& program, const VectorXd& x0) {
           "{} constraints are bounded but no function computes them", rows);
 }
 
+/// Meaning of a return code of Ipopt.
 struct IpoptEnding {
-  Ipopt::ApplicationReturnStatus of;
+  Ipopt::ApplicationReturnStatus ipopt_status;
   Status status;
   const char* message;
 };
@@ -199,15 +200,16 @@ constexpr IpoptEnding kIpoptEndings[] = {
 
 IpoptEnding ending_of(Ipopt::ApplicationReturnStatus status) {
   for (const IpoptEnding& ending : kIpoptEndings)
-    if (ending.of == status) return ending;
+    if (ending.ipopt_status == status) return ending;
   return {status, Status::kStalled, "the solver gave up"};
 }
 
+/// Update rule of the barrier parameter.
 enum class Barrier { kAdaptive, kMonotone };
 
 void set_options(Ipopt::OptionsList& list, const NonlinearProgram& program,
                  const NonlinearOptions& options, Barrier barrier) {
-  // Silent, at our tolerances, with bounds kept exactly.
+  // Silent, with our tolerances.
   list.SetIntegerValue("print_level", 0);
   list.SetStringValue("sb", "yes");  // no banner
   list.SetNumericValue("tol", options.tolerance);
@@ -215,19 +217,19 @@ void set_options(Ipopt::OptionsList& list, const NonlinearProgram& program,
   list.SetNumericValue("dual_inf_tol", options.tolerance * 1e4);
   list.SetNumericValue("compl_inf_tol", options.tolerance);
   list.SetNumericValue("acceptable_tol", options.acceptable_tolerance);
-  list.SetNumericValue("bound_relax_factor", 0.0);  // bounds are kept exactly
+  list.SetNumericValue("bound_relax_factor", 0.0);  // bounds are satisfied exactly
   list.SetStringValue("mu_strategy", barrier == Barrier::kAdaptive ? "adaptive" : "monotone");
   list.SetIntegerValue("max_iter", options.max_iterations);
   if (!program.hessian) list.SetStringValue("hessian_approximation", "limited-memory");
 }
 
-/// An answer, and what its stationarity is small against.
+/// Result with the scale of its stationarity.
 struct Run {
   NonlinearResult result;
-  double slope = 0;  // slope_terms() where it ended
+  double slope = 0;  // slope_terms() at the final point
 };
 
-/// One run of Ipopt, and the conditions where it ended.
+/// Runs Ipopt once, and computes the KKT residuals at the final point.
 Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOptions& options,
         Barrier barrier) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
@@ -237,7 +239,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
   if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(tnlp));
   if (tnlp->thrown()) std::rethrow_exception(tnlp->thrown());
 
-  // What Ipopt found, checked by our own arithmetic.
+  // Compute the KKT residuals at Ipopt's result.
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
   const IpoptEnding outcome = ending_of(status);
   Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, KktResidual{}}, 0};
@@ -245,12 +247,13 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();
   if (!result.x.allFinite()) return run;
   result.kkt_residual = kkt_residual(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
-  run.slope = slope_terms(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
+  run.slope = gradient_scale(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
   return run;
 }
 
-/// Returns whether the claim of the status holds by our own arithmetic. NaN fails.
-bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, double certified) {
+/// Returns whether the KKT residuals support the status. NaN fails.
+bool supports_status(const NonlinearProgram& program, const VectorXd& x0, const Run& run,
+                     double certified) {
   const NonlinearResult& result = run.result;
   const KktResidual& at = result.kkt_residual;
   switch (result.status) {
@@ -268,8 +271,8 @@ bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, 
   }
 }
 
-/// The word for an answer whose conditions fail.
-NonlinearResult refuted(NonlinearResult result) {
+/// Returns the result with a message about its KKT residuals, and kStalled.
+NonlinearResult refuted_result(NonlinearResult result) {
   if (is_undecided(result.status)) return result;
   const KktResidual& at = result.kkt_residual;
   result.message = fmt::format(
@@ -285,9 +288,10 @@ NonlinearResult refuted(NonlinearResult result) {
 NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
                             const NonlinearOptions& options) {
   check(program, x0);
+  // Handle programs without variables.
   if (x0.size() == 0) {
     const KktResidual at{violation(program, x0), 0, 0};
-    const bool feasible = at.violation <= options.certified;
+    const bool feasible = at.violation <= options.kkt_tolerance;
     return {feasible ? Status::kSolved : Status::kInfeasible,
             "nothing to vary",
             x0,
@@ -296,28 +300,28 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
             at};
   }
 
-  // MUMPS, which Ipopt calls, keeps global state; see the header.
+  // MUMPS, which Ipopt calls, has global state; see the header.
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
 
-  const double certified = std::max(options.certified, 10 * options.acceptable_tolerance);
+  const double certified = std::max(options.kkt_tolerance, 10 * options.acceptable_tolerance);
   const Run first = run(program, x0, options, Barrier::kAdaptive);
-  if (holds(program, x0, first, certified)) return first.result;
-  if (first.result.status == Status::kLimit) return first.result;  // the caller's own
+  if (supports_status(program, x0, first, certified)) return first.result;
+  if (first.result.status == Status::kLimit) return first.result;  // limit of the caller
 
-  // Another start and another rule; what the first run needed counts too.
-  const VectorXd again = first.result.x.allFinite() ? first.result.x : x0;
-  Run second = run(program, again, options, Barrier::kMonotone);
+  // Restart with the other barrier rule; iterations are added up.
+  const VectorXd restart = first.result.x.allFinite() ? first.result.x : x0;
+  Run second = run(program, restart, options, Barrier::kMonotone);
   second.result.iterations += first.result.iterations;
-  if (holds(program, x0, second, certified)) return second.result;
+  if (supports_status(program, x0, second, certified)) return second.result;
 
-  // Nor is it believed when it gives up where the conditions hold.
+  // Accept a point at which the conditions hold even if Ipopt gave up there.
   for (Run stalled : {second, first}) {
     if (!is_undecided(stalled.result.status)) continue;
     stalled.result.status = Status::kSolved;
-    if (holds(program, x0, stalled, certified)) return stalled.result;
+    if (supports_status(program, x0, stalled, certified)) return stalled.result;
   }
-  return refuted(first.result);
+  return refuted_result(first.result);
 }
 
 }  // namespace thenar

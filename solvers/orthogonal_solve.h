@@ -1,7 +1,7 @@
 #pragma once
 
-/// Least squares A x = B by orthogonal columns, on any scalar: errors grow with the condition of A,
-/// not its square, and derivatives come along without a square root.
+/// Least squares A x = B by orthogonalisation for any scalar type. Errors grow with the condition
+/// number of A, not with its square, and derivatives are propagated without a square root.
 
 #include <numeric>
 #include <utility>
@@ -11,23 +11,24 @@
 
 namespace thenar {
 
-/// A P = Q U: modified Gram-Schmidt that takes the longest remaining column first.
+/// Decomposition A P = Q U by modified Gram-Schmidt with column pivoting.
 template <typename T>
 struct OrthogonalColumns {
-  MatrixX<T> Q;            // columns orthogonal, not of unit length (rows, n)
-  MatrixX<T> U;            // unit upper triangular; below the diagonal never read (n, n)
-  VectorX<T> inverse;      // 1 / squared length of each column of Q (n)
-  std::vector<int> order;  // column of A that became each column of Q (n)
+  MatrixX<T> Q;                // orthogonal columns, not normalised (rows, n)
+  MatrixX<T> U;                // unit upper triangular; entries below the diagonal are unset (n, n)
+  VectorX<T> inverse_squares;  // 1 / squared length of each column of Q (n)
+  std::vector<int> order;      // column of A from which each column of Q was made (n)
 };
 
-/// @param A  as many rows as columns or more, of full rank; else the result is not finite
+/// Decomposes a matrix.
+/// @param A  full column rank (rows, n), rows >= n; otherwise the result is not finite
 template <typename T>
 [[nodiscard]] OrthogonalColumns<T> orthogonal_columns(MatrixX<T> A) {
   const Eigen::Index n = A.cols();
   OrthogonalColumns<T> out{std::move(A), MatrixX<T>(n, n), VectorX<T>(n), std::vector<int>(n)};
   std::iota(out.order.begin(), out.order.end(), 0);
   for (Eigen::Index k = 0; k < n; ++k) {
-    // Pivot: the longest remaining column.
+    // Select the longest remaining column as pivot.
     Eigen::Index longest = k;
     T square = out.Q.col(k).squaredNorm();
     for (Eigen::Index l = k + 1; l < n; ++l) {
@@ -42,17 +43,18 @@ template <typename T>
       out.U.col(k).head(k).swap(out.U.col(longest).head(k));
       std::swap(out.order[k], out.order[longest]);
     }
-    // Take its part out of the others.
-    out.inverse[k] = T(1) / square;
+    // Remove its component from the remaining columns.
+    out.inverse_squares[k] = T(1) / square;
     for (Eigen::Index l = k + 1; l < n; ++l) {
-      out.U(k, l) = out.Q.col(k).dot(out.Q.col(l)) * out.inverse[k];
+      out.U(k, l) = out.Q.col(k).dot(out.Q.col(l)) * out.inverse_squares[k];
       out.Q.col(l) -= out.U(k, l) * out.Q.col(k);
     }
   }
   return out;
 }
 
-/// Least |A x - B|. B is orthogonalised like one more column of A, which keeps the method stable.
+/// Minimises |A x - B|. B is orthogonalised like another column of A, which keeps the method
+/// stable.
 /// @param A  (rows, n), rows >= n      @param B  (rows, m)      @return x (n, m)
 /// Source: [Bjorck1996], methods based on Gram-Schmidt.
 template <typename T>
@@ -63,7 +65,7 @@ template <typename T>
   for (Eigen::Index m = 0; m < B.cols(); ++m) {
     // Components along the columns of Q.
     for (Eigen::Index k = 0; k < n; ++k) {
-      y(k, m) = a.Q.col(k).dot(B.col(m)) * a.inverse[k];
+      y(k, m) = a.Q.col(k).dot(B.col(m)) * a.inverse_squares[k];
       B.col(m) -= y(k, m) * a.Q.col(k);
     }
     // Back substitution.
@@ -75,7 +77,7 @@ template <typename T>
   return x;
 }
 
-/// Least |x| with A x = B.
+/// Finds the x of minimum norm with A x = B.
 /// @param A  (n, columns), n <= columns      @param B  (n, m)      @return x (columns, m)
 /// Source: [Bjorck1996], methods based on Gram-Schmidt.
 template <typename T>
@@ -90,9 +92,9 @@ template <typename T>
       c[k] = B(a.order[k], m);
       for (Eigen::Index l = 0; l < k; ++l) c[k] -= a.U(l, k) * c[l];
     }
-    // What the columns of Q lack of being orthogonal is made good from the last to the first.
+    // Add the columns from last to first, correcting for their loss of orthogonality.
     for (Eigen::Index k = n - 1; k >= 0; --k)
-      x.col(m) += ((c[k] - a.Q.col(k).dot(x.col(m))) * a.inverse[k]) * a.Q.col(k);
+      x.col(m) += ((c[k] - a.Q.col(k).dot(x.col(m))) * a.inverse_squares[k]) * a.Q.col(k);
   }
   return x;
 }

@@ -14,22 +14,22 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Variables, of order one, with a smaller width are constant [1]
-constexpr double kPinnedWidth = 1e-9;
-// Smaller singular values of the equalities count as zero [1]
-constexpr double kDependentValue = 1e-12;
+// Width below which variables, of order one, are fixed [1]
+constexpr double kFixedWidth = 1e-9;
+// Singular value of the equalities below which it counts as zero [1]
+constexpr double kRankTolerance = 1e-12;
 
-/// Orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
-MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
-  // Equalities, and one row for each pinned variable.
-  MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(pinned.size()), E.cols());
+/// Returns an orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
+MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& fixed) {
+  // Stack the equalities, and one row for each fixed variable.
+  MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(fixed.size()), E.cols());
   rows.topRows(E.rows()) = E;
-  for (std::size_t k = 0; k < pinned.size(); ++k)
-    rows(E.rows() + static_cast<Index>(k), pinned[k]) = 1;
+  for (std::size_t k = 0; k < fixed.size(); ++k)
+    rows(E.rows() + static_cast<Index>(k), fixed[k]) = 1;
   Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kDependentValue);
+  svd.setThreshold(kRankTolerance);
   MatrixXd Z = svd.matrixV().rightCols(E.cols() - svd.rank());
-  for (const Index i : pinned) Z.row(i).setZero();
+  for (const Index i : fixed) Z.row(i).setZero();
   return Z;
 }
 
@@ -37,41 +37,44 @@ MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
 
 RelativeInterior relative_interior(LinearProgram program) {
   const Index n = program.lower.size();
+  // Find a feasible point.
   program.objective = VectorXd::Zero(n);
   RelativeInterior interior{Status::kSolved, {}, {}, program.lower, program.upper};
-  const LinearResult any = solve(program);
-  interior.status = any.status;
-  if (any.status != Status::kSolved) return interior;
+  const LinearResult feasible = solve(program);
+  interior.status = feasible.status;
+  if (feasible.status != Status::kSolved) return interior;
 
-  // A box of one unit about that point keeps every program below bounded, and what is pinned in it
-  // is pinned everywhere, because the set is convex.
-  program.lower = program.lower.cwiseMax(any.x - VectorXd::Ones(n));
-  program.upper = program.upper.cwiseMin(any.x + VectorXd::Ones(n));
+  // Restrict the set to a box of half width one around that point. This keeps the programs below
+  // bounded; variables that are fixed in the box are fixed everywhere, because the set is convex.
+  program.lower = program.lower.cwiseMax(feasible.x - VectorXd::Ones(n));
+  program.upper = program.upper.cwiseMin(feasible.x + VectorXd::Ones(n));
 
-  // The mean of the points that make each variable least and most is inside every bound that any
-  // point is inside of.
-  std::vector<Index> pinned;
-  interior.z0 = any.x;
+  // Average the points that minimise and maximise each variable: the mean is strictly inside every
+  // bound that is inactive at any point.
+  std::vector<Index> fixed;
+  interior.z0 = feasible.x;
   double points = 1;
   for (Index i = 0; i < n; ++i) {
     if (!std::isfinite(interior.lower(i)) && !std::isfinite(interior.upper(i))) continue;
-    double reached[2] = {any.x(i), any.x(i)};
+    double range[2] = {feasible.x(i), feasible.x(i)};
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
-      if (extreme.status != Status::kSolved) {  // the box bounds it and `any` is feasible
+      if (extreme.status !=
+          Status::kSolved) {  // cannot happen: the program is bounded and feasible
         interior.status = Status::kStalled;
         return interior;
       }
-      reached[end] = extreme.x(i);
+      range[end] = extreme.x(i);
       interior.z0 += extreme.x;
       ++points;
     }
-    if (reached[1] - reached[0] <= kPinnedWidth) pinned.push_back(i);
+    if (range[1] - range[0] <= kFixedWidth) fixed.push_back(i);
   }
   interior.z0 /= points;
-  interior.Z = null_space(program.A, pinned);
-  for (const Index i : pinned) {
+  // Eliminate the fixed variables.
+  interior.Z = null_space(program.A, fixed);
+  for (const Index i : fixed) {
     interior.lower(i) = -kInfinity;
     interior.upper(i) = kInfinity;
   }
@@ -79,7 +82,7 @@ RelativeInterior relative_interior(LinearProgram program) {
 }
 
 NonlinearProgram program_over_interior(const RelativeInterior& interior) {
-  // Finite bounds become constraints of y.
+  // Collect the finite bounds, which become constraints of y.
   std::vector<Index> bounded;
   for (Index i = 0; i < interior.z0.size(); ++i)
     if (std::isfinite(interior.lower(i)) || std::isfinite(interior.upper(i))) bounded.push_back(i);

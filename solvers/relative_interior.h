@@ -1,6 +1,6 @@
 #pragma once
 
-/// Balanced forces and tensions as a smooth parametrisation, for methods that need an interior.
+/// Parametrisation of balanced forces and tensions for methods that need an interior.
 
 #include <Eigen/Core>
 
@@ -9,23 +9,24 @@
 
 namespace thenar::internal {
 
-/// The points of { z : E z = e, lower <= z <= upper } are  z = z0 + Z y,  bounds permitting.
+/// Parametrisation  z = z0 + Z y  of { z : E z = e, lower <= z <= upper }, bounds permitting.
 ///
-/// Variables that the equalities pin to one value (a tension that nobody can oppose stays zero) are
-/// found by linear programs and taken out, so z0 is strictly inside all other bounds and every y
-/// balances exactly.
+/// Variables that the constraints fix at one value (e.g. an unopposed tension, which stays zero)
+/// are found by linear programs and eliminated, so that z0 is strictly inside all other bounds and
+/// every y satisfies the equalities exactly.
 struct RelativeInterior {
-  Status status;                 // kInfeasible: there is no such z
-  Eigen::VectorXd z0;            // relative interior point                              (n)
-  Eigen::MatrixXd Z;             // orthonormal; rows of pinned variables are exact 0    (n, k)
-  Eigen::VectorXd lower, upper;  // of z; infinite at pinned variables                   (n)
+  Status status;       // kInfeasible: the set is empty
+  Eigen::VectorXd z0;  // point in the relative interior                         (n)
+  Eigen::MatrixXd Z;   // orthonormal columns; rows of fixed variables are exactly 0    (n, k)
+  Eigen::VectorXd lower, upper;  // bounds of z; infinite at fixed variables (n)
 };
 
-/// Finds the relative interior. It uses only E, its row bounds (alike) and the bounds of `program`.
+/// Finds the relative interior. Uses only E (`A` with equal row bounds) and the bounds of
+/// `program`.
 [[nodiscard]] RelativeInterior relative_interior(LinearProgram program);
 
-/// A program over y whose constraints are the finite bounds of z. The objective, and whatever else
-/// limits z, is the caller's to add.
+/// Returns a program over y whose constraints are the finite bounds of z. The caller adds the
+/// objective and any further constraints.
 [[nodiscard]] NonlinearProgram program_over_interior(const RelativeInterior& interior);
 
 }  // namespace thenar::internal

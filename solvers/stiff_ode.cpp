@@ -4,8 +4,8 @@
 #include <exception>
 #include <utility>
 
-// Simbody exports functions of the same names, of an older SUNDIALS. Hidden symbols are never taken
-// from a shared library.
+// Simbody exports functions of an older SUNDIALS with the same names. Hidden symbols are never
+// resolved to a shared library.
 #pragma GCC visibility push(hidden)
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -63,7 +63,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
         max_steps(o.max_steps),
         time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
-    // Vectors, matrix and solver of CVODE.
+    // Create vectors, matrix and linear solver.
     state = N_VNew_Serial(y.size(), context);
     scratch = N_VNew_Serial(y.size(), context);
     matrix = SUNDenseMatrix(y.size(), y.size(), context);
@@ -71,13 +71,14 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     cvode = CVodeCreate(CV_BDF, context);
     values(state) = y;
     values(scratch) = o.absolute;
-    // Tolerances, Jacobian and callbacks.
-    const bool ready = CVodeInit(cvode, &Parts::call, time, state) == CV_SUCCESS &&
-                       CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
-                       CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
-                       (!jacobian || CVodeSetJacFn(cvode, &Parts::turn) == CV_SUCCESS) &&
-                       CVodeSetUserData(cvode, this) == CV_SUCCESS &&
-                       CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
+    // Set tolerances, Jacobian and callbacks.
+    const bool ready =
+        CVodeInit(cvode, &Parts::evaluate_slope, time, state) == CV_SUCCESS &&
+        CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
+        CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
+        (!jacobian || CVodeSetJacFn(cvode, &Parts::evaluate_jacobian) == CV_SUCCESS) &&
+        CVodeSetUserData(cvode, this) == CV_SUCCESS &&
+        CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
     require(ready, "CVODE could not be set up for {} states", y.size());
   }
 
@@ -93,8 +94,8 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Passes the right-hand side to CVODE. No exception may pass through its C code.
-  static int call(double t, N_Vector y, N_Vector y_dot, void* user) {
+  /// Evaluates the right-hand side for CVODE. No exception may propagate through its C code.
+  static int evaluate_slope(double t, N_Vector y, N_Vector y_dot, void* user) {
     auto& parts = *static_cast<Parts*>(user);
     try {
       const Eigen::VectorXd at = values(y);
@@ -107,10 +108,10 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     }
   }
 
-  /// Passes the Jacobian to CVODE; lets no exception through, as call().
+  /// Evaluates the Jacobian for CVODE; exceptions are handled as in call().
   // NOLINTNEXTLINE(readability-function-size): the signature is CVODE's
-  static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
-                  N_Vector) {
+  static int evaluate_jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector,
+                               N_Vector, N_Vector) {
     auto& parts = *static_cast<Parts*>(user);
     try {
       const Eigen::VectorXd at = values(y);
@@ -132,18 +133,18 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     CVodeGetNumJacEvals(cvode, &jacobians);
     CVodeGetNumErrTestFails(cvode, &inaccurate);
     CVodeGetNumStepSolveFails(cvode, &unsolved);
-    return {before.steps + steps, before.slopes + slopes + by_jacobian,
-            before.jacobians + jacobians, before.rejected + inaccurate + unsolved};
+    return {counts_before.steps + steps, counts_before.slopes + slopes + by_jacobian,
+            counts_before.jacobians + jacobians, counts_before.rejected + inaccurate + unsolved};
   }
 
   OdeRightHandSide slope;
   OdeJacobian jacobian;
-  double relative;           // error of a step [1]
-  Eigen::VectorXd absolute;  // the same of small states; their units
+  double relative;           // relative tolerance of a step [1]
+  Eigen::VectorXd absolute;  // absolute tolerance of each state, in its unit (n)
   int max_steps;
   double time;
   std::exception_ptr thrown;
-  OdeCounts before;  // the last restart
+  OdeCounts counts_before;  // counts before the last restart
   SUNContext context = nullptr;
   N_Vector state = nullptr;
   N_Vector scratch = nullptr;
@@ -154,7 +155,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
 
 StiffOde::StiffOde(OdeRightHandSide slope, double time, const Eigen::VectorXd& y,
                    const StiffOdeOptions& options) {
-  // A finite state, with tolerances for each entry.
+  // Check the state and the tolerances.
   require(y.size() > 0 && y.allFinite(), "wanted a state of finite numbers, got {} entries",
           y.size());
   require(options.relative > 0, "relative tolerance must be positive, got {}", options.relative);
@@ -170,7 +171,6 @@ StiffOde& StiffOde::operator=(StiffOde&&) noexcept = default;
 
 OdeStatus StiffOde::step(double stop) {
   require(stop > parts_->time, "cannot step from {} s to {} s", parts_->time, stop);
-  // One step, not beyond `stop`.
   if (counts().steps >= parts_->max_steps) return OdeStatus::kLimit;
   CVodeSetStopTime(parts_->cvode, stop);
   const int flag = CVode(parts_->cvode, stop, parts_->state, &parts_->time, CV_ONE_STEP);
@@ -178,14 +178,14 @@ OdeStatus StiffOde::step(double stop) {
   return status_of(flag);
 }
 
-void StiffOde::restart(double looser) {
-  require(looser > 0 && std::isfinite(looser), "errors of steps must be positive, got {} times",
-          looser);
-  parts_->before = parts_->counts();
-  values(parts_->scratch) = looser * parts_->absolute;
+void StiffOde::restart(double tolerance_factor) {
+  require(tolerance_factor > 0 && std::isfinite(tolerance_factor),
+          "errors of steps must be positive, got {} times", tolerance_factor);
+  parts_->counts_before = parts_->counts();
+  values(parts_->scratch) = tolerance_factor * parts_->absolute;
   require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS &&
-              CVodeSVtolerances(parts_->cvode, looser * parts_->relative, parts_->scratch) ==
-                  CV_SUCCESS,
+              CVodeSVtolerances(parts_->cvode, tolerance_factor * parts_->relative,
+                                parts_->scratch) == CV_SUCCESS,
           "CVODE could not start anew at {} s", parts_->time);
 }
 

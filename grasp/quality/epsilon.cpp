@@ -128,7 +128,7 @@ class EpsilonSearch {
     while (upper_ > 0 && hull.facets() <= options_.max_facets) {
       // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
       end_if_stopped();
-      hull.set_bar(bar());
+      hull.set_offset_limit(bar());
       const int facet = hull.pop_nearest();
       if (facet < 0) {  // all are beyond the bar
         lower_ = std::max(lower_, bar() - hull.error());

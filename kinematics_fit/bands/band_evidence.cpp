@@ -19,15 +19,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// J'J = R'R (size, size).
+/// Returns the upper triangular R with J'J = R'R (size, size).
 MatrixXd factor_of(const Residuals& at) {
   return Eigen::LLT<MatrixXd>(at.J.transpose() * at.J).matrixU();
 }
 
-/// Newton's step that is left at z, over coordinates that no bound holds, in posterior sds [1].
-/// @param R  of factor_of()
-double step_left(const FitProblem& problem, const VectorXd& z, const Residuals& at,
-                 const MatrixXd& R) {
+/// Returns the length of Newton's step at z, over coordinates that no bound blocks, in posterior
+/// sds [1].
+/// @param R  result of factor_of()
+double newton_step_length(const FitProblem& problem, const VectorXd& z, const Residuals& at,
+                          const MatrixXd& R) {
   VectorXd gradient = at.J.transpose() * at.r;
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if ((z[i] <= problem.coordinates().lower()[i] && gradient[i] > 0) ||
@@ -36,27 +37,28 @@ double step_left(const FitProblem& problem, const VectorXd& z, const Residuals& 
   return R.triangularView<Eigen::Upper>().transpose().solve(gradient).norm();
 }
 
-/// Searches for the mode until it is near enough, with at most so many Jacobians: they take most of
-/// the time.
+/// Searches for the mode until the Newton step is short, with at most `slopes` Jacobians, which
+/// take most of the time.
 VectorXd find_mode(const FitProblem& problem, const VectorXd& start, int slopes) {
   // Length of a Newton step below which the search ends [posterior sds]
   constexpr double kLastStepLength = 0.1;
+  // Count the Jacobians, and stop when the step is short or none is left.
   LeastSquares counted = least_squares(problem);
-  int left = slopes;
+  int jacobians_left = slopes;
   counted.residuals = [&](const VectorXd& z, WithJacobian want) {
     Residuals at = fit_residuals(problem, z, want);
     if (want == WithJacobian::kNo) return at;
     const bool near =
-        at.J.allFinite() && step_left(problem, z, at, factor_of(at)) < kLastStepLength;
-    left = near ? 0 : left - 1;
+        at.J.allFinite() && newton_step_length(problem, z, at, factor_of(at)) < kLastStepLength;
+    jacobians_left = near ? 0 : jacobians_left - 1;
     return at;
   };
   SolveOptions search;
-  search.progress.stop_requested = [&] { return left <= 0; };
+  search.progress.stop_requested = [&] { return jacobians_left <= 0; };
   return solve(counted, start, search).z;
 }
 
-/// The net in all trials of the only experiment.
+/// Returns the equilibria of the net in all trials of the only experiment.
 NetTrials trials_at(const FitProblem& problem, const VectorXd& z) {
   const VectorXd u = displacements(problem.coordinates(), z, problem.specimen_of(0));
   const SpecimenModel<double> model =
@@ -65,7 +67,7 @@ NetTrials trials_at(const FitProblem& problem, const VectorXd& z) {
   return net_trials(model, problem.plans().front());
 }
 
-/// Standard normal numbers, each coordinate by a stream of its name (size, draws).
+/// Draws standard normal numbers, each coordinate from a stream seeded by its name (size, draws).
 MatrixXd named_draws(const FitProblem& problem, int draws, unsigned seed) {
   const std::vector<std::string> names = problem.coordinates().names();
   MatrixXd v(static_cast<Eigen::Index>(names.size()), draws);
@@ -80,7 +82,8 @@ MatrixXd named_draws(const FitProblem& problem, int draws, unsigned seed) {
   return v;
 }
 
-/// log weight of each draw about the mode; -inf beyond a bound, or where forces are not finite.
+/// Computes the log weight of each draw about the mode; -inf beyond a bound, or where forces are
+/// not finite.
 std::vector<double> log_weights(const FitProblem& problem, const VectorXd& z, const MatrixXd& R,
                                 const EvidenceOptions& options) {
   const double at_mode = fit_residuals(problem, z, WithJacobian::kNo).r.squaredNorm();
@@ -100,7 +103,7 @@ std::vector<double> log_weights(const FitProblem& problem, const VectorXd& z, co
   return weights;
 }
 
-/// Puts the mean of the weights, and how many draws count, into the evidence.
+/// Corrects the evidence by the mean weight, if the effective number of draws suffices.
 void correct_by_draws(const std::vector<double>& log_weight, BandEvidence& out) {
   const double largest = *std::max_element(log_weight.begin(), log_weight.end());
   double sum = 0, squares = 0;
@@ -142,28 +145,28 @@ std::vector<BandTension> largest_tensions(const FitProblem& problem, const Vecto
 BandEvidence band_evidence(const FitProblem& problem, const std::vector<VectorXd>& starts,
                            const EvidenceOptions& options) {
   BandEvidence out;
-  // Mode: the best of all starts.
-  double least = kInfinity;
+  // Find the mode: the best of all starts.
+  double min_cost = kInfinity;
   for (const VectorXd& start : starts) {
     if (!carries_loads(problem, start)) continue;
     const VectorXd z = find_mode(problem, start, options.slopes);
     const double cost = fit_residuals(problem, z, WithJacobian::kNo).r.squaredNorm();
-    if (!(cost < least) || !carries_loads(problem, z)) continue;
-    least = cost;
+    if (!(cost < min_cost) || !carries_loads(problem, z)) continue;
+    min_cost = cost;
     out.z = z;
   }
-  out.holds = std::isfinite(least);
+  out.holds = std::isfinite(min_cost);
   if (!out.holds) return out;
-  // Laplace's approximation there.
+  // Apply Laplace's approximation at the mode.
   const Residuals at = fit_residuals(problem, out.z, WithJacobian::kYes);
   const MatrixXd R = factor_of(at);
   const MatrixXd inverse =
       R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(R.rows(), R.cols()));
-  out.converged = step_left(problem, out.z, at, R) < kSettledStep;
+  out.converged = newton_step_length(problem, out.z, at, R) < kSettledStep;
   out.misfit = at.r.head(data_rows(problem)).squaredNorm();
   out.effective = static_cast<double>(R.rows()) - inverse.squaredNorm();
   out.laplace = out.integral = -0.5 * at.r.squaredNorm() - R.diagonal().array().log().sum();
-  // And what it misses.
+  // Correct it by draws.
   if (options.draws > 0) correct_by_draws(log_weights(problem, out.z, R, options), out);
   return out;
 }
@@ -176,13 +179,14 @@ std::vector<std::pair<std::string, SlackRange>> slack_ranges(const FitProblem& p
   const VectorXd u = displacements(coordinates, z, specimen);
   const MatrixXd by_z = displacement_jacobian(coordinates, z, specimen);
   const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
-  const MatrixXd own = laplace_blocks(problem, z).of(specimen);
+  const MatrixXd own = laplace_blocks(problem, z).block_entries(specimen);
   std::vector<std::pair<std::string, SlackRange>> out;
+  // List the free slack lengths.
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];
     const int c = parameters.coordinate[p];
     if (parameter.kind != ParameterKind::kNetSlack || c < 0) continue;
-    // log of a factor on the length: u, with its variance before and after the data.
+    // Convert the log factor on the length, and its sds before and after the data.
     const NetBand& band = problem.digit().net->net.bands[parameter.item];
     const double ratio = parameters.ratio[p];
     const Eigen::RowVectorXd slope = ratio * by_z.row(c);
@@ -190,6 +194,7 @@ std::vector<std::pair<std::string, SlackRange>> slack_ranges(const FitProblem& p
     range.length = band.slack * std::exp(parameter.mean + ratio * u[c]);
     range.sd = range.length * std::sqrt((slope * own).dot(slope));
     range.prior_sd = range.length * slope.norm();
+    // Check whether an entry that moves it is at a bound.
     for (std::size_t k = 0; k < entries.size(); ++k)
       if (slope[k] != 0)
         range.at_bound = range.at_bound || z[entries[k]] <= coordinates.lower()[entries[k]] ||

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Posterior over sets of bands: which of those in question a net has, when slack lengths, paths
-/// and all else that is free may take their part of what was measured.
+/// Posterior over sets of bands: which of the bands in question a net has, with slack lengths,
+/// paths and other free parameters integrated out.
 
 #include <random>
 
@@ -13,10 +13,11 @@ namespace thenar {
 class BandProblems;
 
 /// Fits every set, or samples sets band by band: with p the evidence with a band and q without it,
-/// all others as they are, it exists next with the chance p / (p + q) (a Gibbs sampler). The mean
-/// of these chances is the band's probability. Every fit starts from that of the set before it.
+/// the other bands unchanged, the band exists next with probability p / (p + q) (Gibbs sampling).
+/// The mean of these probabilities is the band's probability. Every fit starts from that of the
+/// previous set.
 /// Source: [MadiganYork1995].
-/// @param random  of the sampling; not used where every set is fitted
+/// @param random  random numbers for sampling; not used if every set is fitted
 BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
                              const BandPosteriorOptions& options = {},
                              const Progress& progress = {});

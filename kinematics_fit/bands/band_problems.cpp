@@ -13,6 +13,7 @@ namespace thenar {
 std::vector<std::string> bands_matching(const Net& net, const std::vector<std::string>& globs) {
   std::vector<std::string> names;
   std::vector<bool> met(globs.size(), false);
+  // Match the names of passive bands.
   for (const NetBand& band : net.bands) {
     if (band.muscle >= 0) continue;
     bool wanted = globs.empty();
@@ -20,6 +21,7 @@ std::vector<std::string> bands_matching(const Net& net, const std::vector<std::s
       if (matches_glob(globs[g], band.name)) wanted = met[g] = true;
     if (wanted) names.push_back(band.name);
   }
+  // Reject patterns without a match.
   for (std::size_t g = 0; g < globs.size(); ++g)
     require(met[g], "net {} has no passive band that matches '{}'", net.name, globs[g]);
   return names;
@@ -36,21 +38,21 @@ BandProblems::BandProblems(FitProblem all, FitSettings settings, std::vector<std
           all_.specimens().size());
   require(!bands_.empty(), "no band is in question");
   for (const std::string& band : bands_) (void)cut(*all_.digit().net, band);
-  // A row about a band that is absent matches nothing.
+  // Make rules optional: a rule about an absent band matches nothing.
   for (ParameterRule& rule : settings_.rules) rule.optional = true;
 }
 
-FitProblem BandProblems::with(const Topology& present) const {
+FitProblem BandProblems::problem_with(const Topology& present) const {
   require(present.size() == bands_.size(), "{} bands are in question, got {}", bands_.size(),
           present.size());
-  // The digit without the absent bands.
+  // Cut the absent bands from the digit.
   TendonDigit digit = all_.digit();
   BuiltNet net = *digit.net;
   for (std::size_t b = 0; b < bands_.size(); ++b)
     if (!present[b]) net = cut(net, bands_[b]);
   digit.net = std::make_shared<const BuiltNet>(std::move(net));
 
-  // Its parameters, by the rules that still match one.
+  // Choose parameters by the rules that still match one.
   const std::vector<std::string>& postures = all_.parameters().postures;
   const std::vector<Parameter> there = list_parameters(digit, postures);
   std::vector<std::string> also_free;
@@ -62,11 +64,11 @@ FitProblem BandProblems::with(const Topology& present) const {
           all_.robust_scale(), all_.axis_distances(), all_.scaling()};
 }
 
-Eigen::VectorXd carried_over(const std::vector<std::string>& names, const Eigen::VectorXd& z,
-                             const FitProblem& to) {
+Eigen::VectorXd transfer_point(const std::vector<std::string>& names, const Eigen::VectorXd& z,
+                               const FitProblem& to) {
   std::map<std::string, double> known;
   for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[i];
-  // Entries by name.
+  // Copy entries by name, then clamp them to the bounds.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(to.size());
   const std::vector<std::string> wanted = to.coordinates().names();
   for (std::size_t i = 0; i < wanted.size(); ++i)

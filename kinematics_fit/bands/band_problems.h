@@ -1,7 +1,7 @@
 #pragma once
 
-/// Fits of one net with any part of the bands that are in question: everything else that a fit may
-/// move stays free in each of them, with the same priors.
+/// Fits of one net with any subset of the bands in question. All other parameters stay free in each
+/// of them, with the same priors.
 
 #include <string>
 #include <vector>
@@ -12,27 +12,29 @@
 
 namespace thenar {
 
-/// Names of the passive bands of a net that a glob matches, in its order; without globs all.
+/// Returns the names of the passive bands of a net that match a glob, in its order; all without
+/// globs.
 /// @throws InputError if a glob matches no passive band.
 [[nodiscard]] std::vector<std::string> bands_matching(const Net& net,
                                                       const std::vector<std::string>& globs);
 
-/// Builds the fits. What a parameter is called does not depend on which bands exist.
+/// Builder of the fits. Names of parameters do not depend on which bands exist.
 class BandProblems {
  public:
-  /// @param all        the fit with every band; one specimen
-  /// @param settings   by which its parameters were chosen,
-  /// @param also_free  and what was freed beyond them
-  /// @param bands      in question, passive
+  /// @param all        fit with every band, of one specimen
+  /// @param settings   settings by which its parameters were chosen
+  /// @param also_free  glob patterns of parameters freed in addition
+  /// @param bands      passive bands in question
   /// @throws InputError if the fit has no net or several specimens, or the net has no such band.
   BandProblems(FitProblem all, FitSettings settings, std::vector<std::string> also_free,
                std::vector<std::string> bands);
 
-  /// The fit with these bands, of those in question (bands). Those that are absent have no
+  /// Returns the fit with the given ones of the bands in question (bands). Absent bands have no
   /// parameters.
-  [[nodiscard]] FitProblem with(const Topology& present) const;
+  [[nodiscard]] FitProblem problem_with(const Topology& present) const;
 
-  [[nodiscard]] const FitProblem& all() const { return all_; }
+  /// Returns the fit with every band.
+  [[nodiscard]] const FitProblem& full_problem() const { return all_; }
   [[nodiscard]] const std::vector<std::string>& bands() const { return bands_; }
 
  private:
@@ -42,10 +44,10 @@ class BandProblems {
   std::vector<std::string> bands_;
 };
 
-/// A point of another fit of the same net: entries of the same name; 0 elsewhere, and within the
-/// bounds of `to` (its size).
-/// @param names, z  of the other fit's coordinates, and where they are
-[[nodiscard]] Eigen::VectorXd carried_over(const std::vector<std::string>& names,
-                                           const Eigen::VectorXd& z, const FitProblem& to);
+/// Transfers a point of another fit of the same net: entries of equal names are copied and clipped
+/// to the bounds of `to`; others are 0 (size of `to`).
+/// @param names, z  names and values of the other fit's entries
+[[nodiscard]] Eigen::VectorXd transfer_point(const std::vector<std::string>& names,
+                                             const Eigen::VectorXd& z, const FitProblem& to);
 
 }  // namespace thenar

@@ -14,15 +14,18 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRows = 3;  // Most rows of a reading; quadrature points grow as their power
+constexpr int kMaxRows =
+    3;  // largest number of rows of a reading; quadrature points grow exponentially with it
 
-/// Points v of a standard normal vector with weights, the product rule of Gauss and Hermite.
+/// Quadrature points of a standard normal vector, and their weights: product of Gauss-Hermite
+/// rules.
 struct NormalRule {
-  MatrixXd points;  // (rows, points)
-  VectorXd weight;  // sum 1 (points)
+  MatrixXd points;  // nodes (rows, points)
+  VectorXd weight;  // weights, whose sum is 1 (points)
 };
 
-/// One dimension by the eigenvectors of the recurrence's matrix [GolubWelsch1969].
+/// Returns the one-dimensional rule, from the eigenvectors of the recurrence matrix
+/// [GolubWelsch1969].
 NormalRule rule_of_one(int nodes) {
   MatrixXd recurrence = MatrixXd::Zero(nodes, nodes);
   for (int k = 1; k < nodes; ++k)
@@ -35,7 +38,7 @@ NormalRule product_rule(Eigen::Index rows, int nodes) {
   const NormalRule one = rule_of_one(nodes);
   NormalRule out{MatrixXd(0, 1), VectorXd::Ones(1)};
   for (Eigen::Index r = 0; r < rows; ++r) {
-    // Every point so far with every node of one more dimension.
+    // Combine every point so far with every node of one more dimension.
     NormalRule more{MatrixXd(r + 1, out.weight.size() * nodes),
                     VectorXd(out.weight.size() * nodes)};
     for (Eigen::Index p = 0; p < out.weight.size(); ++p)
@@ -50,11 +53,11 @@ NormalRule product_rule(Eigen::Index rows, int nodes) {
   return out;
 }
 
-/// A normal density, ready to be evaluated.
+/// Normal density, factored for evaluation.
 struct Density {
   double log_weight;  // log probability less half the log determinant
-  VectorXd mean;
-  MatrixXd L;  // covariance L L'
+  VectorXd mean;      // mean of the reading
+  MatrixXd L;         // factor of the covariance L L'
 };
 
 Density density_of(const PredictedReading& hypothesis) {
@@ -66,7 +69,7 @@ Density density_of(const PredictedReading& hypothesis) {
           std::move(L)};
 }
 
-/// Probabilities of the hypotheses after the reading y.
+/// Returns the probabilities of the hypotheses after the reading y.
 std::vector<double> updated(const std::vector<Density>& densities, const VectorXd& y) {
   std::vector<double> p;
   double largest = -std::numeric_limits<double>::infinity();
@@ -81,11 +84,12 @@ std::vector<double> updated(const std::vector<Density>& densities, const VectorX
   return p;
 }
 
+/// Checks the shapes, probabilities and answers. @throws InputError if one is not valid.
 void check(const std::vector<PredictedReading>& hypotheses,
            const std::vector<HypothesisAnswers>& questions) {
   require(!hypotheses.empty(), "a reading tells nothing without hypotheses");
   const Eigen::Index rows = hypotheses.front().mean.size();
-  require(rows >= 1 && rows <= kMostRows, "a reading of 1 to {} rows was wanted, got {}", kMostRows,
+  require(rows >= 1 && rows <= kMaxRows, "a reading of 1 to {} rows was wanted, got {}", kMaxRows,
           rows);
   double sum = 0;
   for (const PredictedReading& each : hypotheses) {
@@ -107,12 +111,12 @@ double answer_entropy(const std::vector<double>& probability, const HypothesisAn
   require(probability.size() == answers.size() && !answers.empty(), "{} hypotheses give {} answers",
           probability.size(), answers.size());
   require(*std::min_element(answers.begin(), answers.end()) >= 0, "answers are counted from 0");
-  // Probability of each answer.
-  std::vector<double> of(
+  // Sum the probability of each answer.
+  std::vector<double> answer_probability(
       static_cast<std::size_t>(*std::max_element(answers.begin(), answers.end()) + 1));
-  for (std::size_t k = 0; k < answers.size(); ++k) of[answers[k]] += probability[k];
+  for (std::size_t k = 0; k < answers.size(); ++k) answer_probability[answers[k]] += probability[k];
   double entropy = 0;
-  for (const double p : of)
+  for (const double p : answer_probability)
     if (p > 0) entropy -= p * std::log2(p);
   return entropy;
 }
@@ -121,7 +125,7 @@ VectorXd expected_information(const std::vector<PredictedReading>& hypotheses,
                               const std::vector<HypothesisAnswers>& questions, int nodes) {
   check(hypotheses, questions);
   const auto count = static_cast<Eigen::Index>(questions.size());
-  // Hypotheses that are possible, and what is open before the reading.
+  // Select the hypotheses that are possible, and compute the entropies before the reading.
   std::vector<double> before;
   std::vector<Density> densities;
   std::vector<HypothesisAnswers> answers(questions.size());
@@ -134,7 +138,7 @@ VectorXd expected_information(const std::vector<PredictedReading>& hypotheses,
   VectorXd information(count);
   for (Eigen::Index a = 0; a < count; ++a) information(a) = answer_entropy(before, answers[a]);
 
-  // Less what is open after it, over readings of every hypothesis.
+  // Subtract the expected entropies after the reading, over readings of every hypothesis.
   const NormalRule rule = product_rule(hypotheses.front().mean.size(), nodes);
   for (std::size_t k = 0; k < before.size(); ++k)
     for (Eigen::Index p = 0; p < rule.weight.size(); ++p) {

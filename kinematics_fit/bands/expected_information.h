@@ -1,6 +1,6 @@
 #pragma once
 
-/// Information that a future reading is expected to give on which of several hypotheses holds.
+/// Expected information of a future reading about which of several hypotheses is true.
 
 #include <vector>
 
@@ -8,26 +8,28 @@
 
 namespace thenar {
 
-/// A hypothesis, and what it says of the reading y:  y ~ N(mean, covariance).
+/// Hypothesis and its prediction of the reading y:  y ~ N(mean, covariance).
 struct PredictedReading {
-  double probability = 0;      // of the hypothesis, before the reading [1]
-  Eigen::VectorXd mean;        // (rows)
-  Eigen::MatrixXd covariance;  // of noise and of all that the hypothesis leaves open (rows, rows)
+  double probability = 0;  // prior probability of the hypothesis [1]
+  Eigen::VectorXd mean;    // predicted reading (rows)
+  Eigen::MatrixXd
+      covariance;  // covariance of noise and of the uncertainty within the hypothesis (rows, rows)
 };
 
-/// A question to hypotheses: the answer that each of them gives, counted from 0 (hypotheses).
+/// Question about hypotheses: the answer given by each of them, counted from 0 (hypotheses).
 using HypothesisAnswers = std::vector<int>;
 
-/// Entropy of an answer under these probabilities of the hypotheses, -sum p log2 p [bit].
+/// Computes the entropy of an answer under these probabilities of the hypotheses, -sum p log2 p
+/// [bit].
 /// @throws InputError if shapes disagree, or an answer is negative.
 [[nodiscard]] double answer_entropy(const std::vector<double>& probability,
                                     const HypothesisAnswers& answers);
 
-/// Expected information of the reading about each question a, the mutual information
+/// Computes the expected information of the reading about each question a, the mutual information
 ///   I(a; y) = H(a) - E_y H(a | y) [bit] (questions),
-/// y being drawn from the mixture of the hypotheses and H(a | y) following by Bayes' rule. The mean
-/// over y is taken by Gauss and Hermite's rule of `nodes` points a row in every hypothesis'
-/// covariance: exact to rounding where the hypotheses agree, to about 0.01 bit elsewhere.
+/// with y drawn from the mixture of the hypotheses and H(a | y) by Bayes' rule. The mean over y
+/// uses Gauss-Hermite quadrature with `nodes` points per row in every hypothesis' covariance: exact
+/// to rounding if the hypotheses agree, to about 0.01 bit otherwise.
 /// @param hypotheses  probabilities sum to 1; at most 3 rows
 /// @throws InputError if shapes disagree, there are more than 3 rows, probabilities do not sum to
 /// 1, or a covariance is not positive definite.

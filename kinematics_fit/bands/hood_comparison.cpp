@@ -23,7 +23,7 @@ double upper_median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Errors of the trials that a test picks; of no trial if it picks none.
+/// Returns the errors of the trials that a predicate picks; empty if it picks none.
 template <typename Pick>
 ForceError error_of(const Prediction& prediction, const Experiment& experiment, Pick pick) {
   std::vector<PredictedTrial> picked;
@@ -39,19 +39,19 @@ std::vector<std::string> loaded(const Trial& trial) {
   return muscles;
 }
 
-/// Muscles of the hood: those of the subject's rule, and those that pull a net.
+/// Returns the muscles of the hood: those of the subject's rule, and those that pull a net.
 std::vector<std::string> find_hood_muscles(const Subject& subject, const Experiment& experiment,
                                            const std::vector<NetDescription>& nets) {
-  // Muscles of the subject's hood rule.
+  // Collect the muscles of the subject's hood rule.
   std::set<std::string> known;
   for (const Digit& digit : subject.digits)
     if (digit.name == experiment.digit && digit.hood)
       for (const HoodBranch& branch : digit.hood->branches) known.insert(branch.muscle);
-  // Muscles that pull a net.
+  // Add the muscles that pull a net.
   for (const NetDescription& net : nets)
     for (const NetMusclePlan& role : net.muscles)
       known.insert(role.names.begin(), role.names.end());
-  // Of both, those that some trial loads.
+  // Keep those that some trial loads.
   std::set<std::string> pulling;
   for (const Trial& trial : experiment.trials)
     for (const std::string& muscle : loaded(trial))
@@ -61,7 +61,7 @@ std::vector<std::string> find_hood_muscles(const Subject& subject, const Experim
 
 HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
                       const Experiment& experiment, const std::vector<std::string>& of_hood) {
-  // All trials on this rung.
+  // Predict all trials with these tendons.
   const TrialForces forces = trial_forces(tendons, experiment);
   HoodRung rung{
       name,
@@ -75,7 +75,7 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
       forces.seconds,
       {}};
 
-  // Errors of trials that load hood muscles only, and of each muscle alone.
+  // Compute errors of trials that load only hood muscles, and of those that load a single muscle.
   const auto in_hood = [&](const Trial& trial) {
     const std::vector<std::string> muscles = loaded(trial);
     return all_of(muscles, [&](const std::string& muscle) { return contains(of_hood, muscle); });
@@ -86,7 +86,7 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
       rung.muscle[alone.front()] =
           error_of(rung.prediction, experiment, [&](const Trial& t) { return loaded(t) == alone; });
 
-  // Trials that are not to be trusted.
+  // List trials with warnings.
   for (std::size_t i = 0; i < forces.warning.size(); ++i)
     if (!forces.warning[i].empty())
       rung.warning.push_back(fmt::format("{}, {}: {}", rung.prediction.trials[i].posture,
@@ -94,6 +94,7 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
   return rung;
 }
 
+/// Returns the norm of the difference of predicted forces over that of `to` [1].
 double distance(const Prediction& from, const Prediction& to) {
   double off = 0, size = 0;
   for (std::size_t i = 0; i < from.trials.size(); ++i) {
@@ -106,7 +107,7 @@ double distance(const Prediction& from, const Prediction& to) {
 }  // namespace
 
 TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experiment) {
-  // The experiment on the digit as published: nothing is free.
+  // Plan the experiment on the digit as published, without free parameters.
   const TendonDigit& digit = tendons.digit();
   const FitParameters fixed = choose_parameters(digit, {}, {});
   const ExperimentPlan plan = plan_experiment(digit, fixed, experiment);
@@ -114,7 +115,7 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
   out.force.resize(3, plan.force.cols());
   std::vector<double> seconds;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
-    // Nets are brought from the straight finger; only the rest at the posture is timed.
+    // Move nets from the straight finger to the posture; time only the equilibrium there.
     const VectorXd& q = plan.postures[plan.posture_of_trial[i]];
     const VectorXd& t = plan.tension[i];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
@@ -131,17 +132,17 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
 
 HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
                              const std::vector<NetDescription>& nets) {
-  // Muscles of the hood, and whether the subject has a rule for it.
+  // Find the muscles of the hood, and whether the subject has a rule for it.
   HoodComparison out{
       subject.name, experiment.name, find_hood_muscles(subject, experiment, nets), {}};
   bool has_rule = false;
   for (const Digit& digit : subject.digits)
     has_rule = has_rule || (digit.name == experiment.digit && digit.hood);
-  // Whole tendons run straight, and wrapped where the subject has surfaces.
+  // Choose the paths of whole tendons: straight, and wrapped where the subject has surfaces.
   std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
   if (!subject.surfaces.empty()) paths.emplace_back(Path::kWrapped, ", wrapped");
 
-  // A rung with each kind of path.
+  // Adds a rung with each kind of path.
   const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,
                        NetPaths paths_of_net = NetPaths::kWrapped) {
     for (const auto& [path, suffix] : paths) {
@@ -155,7 +156,7 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
     }
   };
 
-  // From the poorest hood to the finest, with the distance of each to the last.
+  // Add rungs from the coarsest hood to the finest, then the distance of each to the last.
   add("separate tendons", Hood::kSeparate);
   if (has_rule) add("fixed fractions", Hood::kFractions);
   for (const NetDescription& net : nets)

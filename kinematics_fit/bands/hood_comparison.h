@@ -1,6 +1,6 @@
 #pragma once
 
-/// Predicts measured fingertip forces by every model of the extensor hood, without any fit.
+/// Prediction of measured fingertip forces by every model of the extensor hood, without any fit.
 
 #include <map>
 #include <string>
@@ -17,39 +17,41 @@ struct HoodRung {
   std::string name;  // "fixed fractions", "net winslow"
   Path path;
   Hood hood;
-  Prediction prediction;                     // all trials
-  std::map<std::string, ForceError> muscle;  // by the muscle that pulls, where one pulls alone
-  ForceError hood_muscles;                   // of trials whose muscles all pull on the hood
-  double relative_to_finest = 0;     // RMS distance of its forces from those of the last rung,
-                                     // per RMS force of that [1]
-  double seconds = 0;                // for one posture and load, a net started where it rests [s]
-  std::vector<std::string> warning;  // trial and reason, where the result of a net is unreliable
+  Prediction prediction;  // predictions of all trials
+  std::map<std::string, ForceError>
+      muscle;                        // errors by muscle, for trials in which one muscle pulls alone
+  ForceError hood_muscles;           // error over trials whose muscles all pull on the hood
+  double relative_to_finest = 0;     // RMS distance of its forces from those of the last rung, over
+                                     // the RMS force of that rung [1]
+  double seconds = 0;                // time for one posture and load; nets start at rest [s]
+  std::vector<std::string> warning;  // trial and reason if the result of a net is unreliable
 };
 
-/// All rungs on one experiment.
+/// Predictions of one experiment by all rungs.
 struct HoodComparison {
   std::string subject, experiment;
   std::vector<std::string> hood_muscles;  // muscles of HoodRung::hood_muscles
-  std::vector<HoodRung> rungs;            // from the simplest to the finest
+  std::vector<HoodRung> rungs;            // predictions, from the simplest hood to the finest
 };
 
 /// Predicts every trial on every rung: separate tendons, fixed fractions if the subject has a hood
-/// rule, each net with straight runs from knot to knot, then each net over its surfaces; of these
-/// the last is called the finest. Whole tendons run straight, and again wrapped where the subject
-/// has surfaces. Nets are brought to each posture from the straight
-/// finger under the load. The hold carries forces and the flexion moment, as in [Synek2019].
+/// rule, each net with straight segments between knots, then each net over its surfaces; the last
+/// of these is called the finest. Whole tendons run straight, and again wrapped if the subject has
+/// surfaces. Nets are moved to each posture from the straight finger under the load. The tip
+/// constraint carries forces and the flexion moment, as in [Synek2019].
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
                                            const std::vector<NetDescription>& nets);
 
-/// Forces of a held tip in every trial of an experiment.
+/// Forces of a constrained tip in every trial of an experiment.
 struct TrialForces {
-  Eigen::Matrix3Xd force;            // in the experiment's components [N] (3, trials)
-  std::vector<std::string> warning;  // why the trial is unreliable; empty if it is not (trials)
-  double seconds;                    // for one trial, median [s]
+  Eigen::Matrix3Xd force;  // force in the experiment's components [N] (3, trials)
+  std::vector<std::string>
+      warning;     // reason why the trial is unreliable; empty if reliable (trials)
+  double seconds;  // median time for one trial [s]
 };
 
-/// @throws InputError if the experiment does not fit the digit.
+/// Computes the forces of every trial. @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experiment);
 
 }  // namespace thenar

@@ -25,16 +25,17 @@ std::string loading_name(const TendonDigit& digit, const std::string& posture, c
   return name;
 }
 
+/// Builds a test of the net in a posture [rad] under tensions t [N].
 TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int posture,
                    const VectorXd& t) {
   const TendonModel<double>& model = tendons.digit().model;
-  // Posture, tensions of the net's muscles, and a name of both.
+  // Set the posture, the tensions of the net's muscles, and a name of both.
   TendonTest test;
   test.q = plan.postures[posture];
   test.tension = tendons.drive(t);
   test.name = loading_name(tendons.digit(), plan.posture_names[posture], t);
 
-  // The net at rest; what its bands do not explain of the torque belongs to the tendons outside.
+  // Solve the net; torque that its bands do not explain belongs to the tendons outside it.
   test.start = start_from_straight(tendons, test.q, t);
   const NetEquilibrium rest = tendons.rest(test.q, t, test.start);
   test.tau_own = tendons.torque(test.q, t, rest) - net_torque(tendons.net().net, model.tree,
@@ -44,14 +45,15 @@ TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int po
   return test;
 }
 
-/// Largest loads of the muscles that pull the net: all together, each alone, and in pairs [N]
-/// (muscles).
-/// @param tension  of every trial (muscles)
+/// Returns the largest loads of the muscles that pull the net: all together, each alone, and in
+/// pairs [N] (muscles).
+/// @param tension  tensions of every trial [N] (muscles)
 std::vector<VectorXd> possible_loads(const BuiltNet& net, const std::vector<VectorXd>& tension) {
   VectorXd largest = VectorXd::Zero(tension.front().size());
   for (const VectorXd& t : tension)
     for (const MuscleAttachment& pull : net.pulls)
       largest(pull.muscle) = std::max(largest(pull.muscle), t(pull.muscle));
+  // Add single muscles (a = b), and pairs.
   std::vector<VectorXd> loads{largest};
   for (Eigen::Index a = 0; a < largest.size(); ++a)
     for (Eigen::Index b = a; b < largest.size(); ++b) {
@@ -63,7 +65,7 @@ std::vector<VectorXd> possible_loads(const BuiltNet& net, const std::vector<Vect
   return loads;
 }
 
-/// Tension of each of the digit's muscles in a trial [N] (muscles).
+/// Returns the tension of each of the digit's muscles in a trial [N] (muscles).
 VectorXd tensions_of(const TendonDigit& digit, const Trial& trial) {
   const std::vector<std::string>& names = digit.names.muscles;
   VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
@@ -76,14 +78,14 @@ VectorXd tensions_of(const TendonDigit& digit, const Trial& trial) {
 }  // namespace
 
 MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
-  // Loads of the hold for a unit torque about each joint.
+  // Solve for the loads of the constraint under a unit torque about each joint.
   const TreeState<double> state = pose_tree(model.tree, q);
   const MatrixXd L = tip_constraint_loads(model, state, plan.hold, plan.known, 0.0);
   const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
   const MatrixX<double> loads =
       L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
 
-  // Forces, turned from the tip's axes to the stated ones; none across a plane of flexion.
+  // Rotate forces from the tip's axes to the stated ones; none acts across a plane of flexion.
   Eigen::Matrix3Xd forces = loads.topRows(3);
   if (plan.known == DecidedForces::kInPlane) forces.row(2).setZero();
   const auto axes = [&](int link) -> Eigen::Matrix3d {
@@ -102,7 +104,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
   const ExperimentPlan plan = plan_of(tendons, experiment);
   std::vector<TendonRecord> records;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
-    // Trials that do not load the net are left out.
+    // Skip trials that do not load the net.
     const VectorXd& t = plan.tension[i];
     require(site_of(plan, static_cast<std::size_t>(i)) < 0,
             "experiment {}: bands are told from forces of the tip; leave out trials measured at "
@@ -120,7 +122,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
 std::vector<TendonTest> possible_tests(const NetTendons& tendons, const Experiment& experiment) {
   const ExperimentPlan plan = plan_of(tendons, experiment);
   const std::vector<VectorXd> loads = possible_loads(tendons.net(), plan.tension);
-  // Each of them in every posture.
+  // Combine each load with every posture.
   std::vector<TendonTest> tests;
   for (int p = 0; p < static_cast<int>(plan.postures.size()); ++p)
     for (const VectorXd& t : loads) tests.push_back(test_of(tendons, plan, p, t));
@@ -131,7 +133,7 @@ std::vector<Trial> possible_trials(const TendonDigit& digit, const Experiment& e
   require(digit.net != nullptr, "trials for bands are wanted of a digit without a net");
   std::vector<VectorXd> measured;
   for (const Trial& trial : experiment.trials) measured.push_back(tensions_of(digit, trial));
-  // Each load in every posture.
+  // Combine each load with every posture.
   std::vector<Trial> trials;
   for (const PostureRecord& posture : experiment.postures)
     for (const VectorXd& t : possible_loads(*digit.net, measured)) {

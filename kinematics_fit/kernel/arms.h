@@ -9,26 +9,25 @@
 namespace thenar::kernel {
 namespace {
 
-/// An angle of the posture.
-inline V angle_at(const AngleStep& angle, const Posed& posed) {
+/// Returns an angle of the posture [rad].
+inline V angle_at(const AngleStep& angle, const PosedDigit& posed) {
   if (angle.coordinate < 0) return splat(angle.offset);
   return angle.ratio * posed.angle[angle.coordinate] + angle.offset;
 }
 
-/// Arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
-///   sum weight u . (axis x (node - point)).
-inline void set_paths(const Program& program, const DigitParameters& digit, Posed& posed) {
+/// Computes arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
+inline void set_paths(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   // Constant arms; strands with a path start from zero.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i)
     posed.frictionless_arm[i] = digit.number[program.arms + i];
   for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
-  // Points of the paths, where their links are now.
+  // Positions of the path points in the posture.
   for (int k = 0; k < program.nodes.size(); ++k)
     posed.node[k] =
         link_point(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
   for (int k = 0; k < program.runs.size(); ++k) {
-    // Direction of the run, and what it adds to the arm about every hinge between its ends.
+    // Direction of the run, and its contribution to the arm about every hinge between its ends.
     const RunStep& run = program.runs[k];
     const Vec way = posed.node[run.to] - posed.node[run.from];
     posed.length[k] = 1.0 / square_root(dot(way, way));
@@ -41,11 +40,12 @@ inline void set_paths(const Program& program, const DigitParameters& digit, Pose
   }
 }
 
-inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adjoint, Wrenches& on,
-                          DigitParameters& adjoint_digit) {
+/// Adjoint of set_paths().
+inline void adjoint_paths(const Program& program, const PosedDigit& posed, PosedDigit& adjoint,
+                          Wrenches& on, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int k = 0; k < program.runs.size(); ++k) {
-    // Each term of the arm: adjoints of the direction, of the axis, and of both points.
+    // Each term of the arm: adjoints of the direction, the axis and both points.
     const RunStep& run = program.runs[k];
     const Vec u = posed.run[k];
     Vec u_bar = {V{}, V{}, V{}};
@@ -60,12 +60,12 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
       adjoint.point[climb.hinge] -= r_bar;
       adjoint.node[climb.node] += r_bar;
     }
-    // Only the part across the run survives the normalisation.
+    // Normalisation of the direction removes the component along the run.
     const Vec way_bar = posed.length[k] * (u_bar - dot(u_bar, u) * u);
     adjoint.node[run.to] += way_bar;
     adjoint.node[run.from] -= way_bar;
   }
-  // From points of paths to links, then from constant arms to their numbers.
+  // From path points to links, then from constant arms to their numbers.
   for (int k = 0; k < program.nodes.size(); ++k)
     adjoint_link_point(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
                        adjoint.node[k], on, adjoint_digit);
@@ -74,23 +74,23 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
     adjoint_digit.number[program.arms + i] += adjoint.frictionless_arm[i];
 }
 
-/// Size of a bend, smoothed as in bend_size().
-inline V size_of(const BendStep& bend, const Posed& posed) {
+/// Returns the size of a bend, smoothed as in bend_size() [rad].
+inline V size_of(const BendStep& bend, const PosedDigit& posed) {
   const V angle = angle_at(bend.angle, posed);
   return bend.angle.coordinate < 0 ? (angle < 0.0 ? -angle : angle)
                                    : square_root(angle * angle + 1e-4);
 }
 
-/// Returns whether coordinate j is the first beyond some bend.
+/// Returns whether some bend first lowers the tension at coordinate j.
 inline bool bends_before(const Program& program, int j) {
   return std::any_of(program.bends.begin(), program.bends.end(),
                      [j](const BendStep& bend) { return bend.first_coordinate_beyond == j; });
 }
 
-/// arm = frictionless_arm exp(-mu bent),  bent_j = sum of the bends nearer the muscle than
-/// coordinate j.
-inline void set_friction(const Program& program, const DigitParameters& digit, Posed& posed) {
-  // Without a sheath the arms are those without friction.
+/// Computes arm = frictionless_arm exp(-mu bent),  with bent_j the sum of the bends between the
+/// muscle and coordinate j.
+inline void set_friction(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
+  // Without sheaths, the arms are those without friction.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
   if (program.sheaths.size() == 0) return;
@@ -100,7 +100,7 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
     const V size = size_of(bend, posed);
     for (int j = bend.first_coordinate_beyond; j < n; ++j) posed.bent[j] += size;
   }
-  // Remaining tension; beyond no further bend it is that of the coordinate before.
+  // Tension ratio; without another bend it equals that of the previous coordinate.
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
@@ -112,9 +112,11 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
     }
 }
 
+/// Adjoint of set_friction().
 inline void adjoint_friction(const Program& program, const DigitParameters& digit,
-                             const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
-  // Without a sheath the arms pass on their adjoints.
+                             const PosedDigit& posed, PosedDigit& adjoint,
+                             DigitParameters& adjoint_digit) {
+  // Without sheaths, the adjoints are unchanged.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];
   if (program.sheaths.size() == 0) return;
@@ -128,7 +130,7 @@ inline void adjoint_friction(const Program& program, const DigitParameters& digi
       adjoint.bent[j] -= lost * digit.number[sheath.friction];
     }
   for (const BendStep& bend : program.bends) {
-    // From the bends to the angles that make them.
+    // From bends to the angles that cause them.
     if (bend.angle.coordinate < 0) continue;
     V size_bar = V{};
     for (int j = bend.first_coordinate_beyond; j < n; ++j) size_bar += adjoint.bent[j];

@@ -7,13 +7,13 @@
 namespace thenar::kernel {
 namespace {
 
-constexpr std::align_val_t kLineAlignment{64};  // Size of a cache line [bytes]
-constexpr int kMaxLanes = 8;  // Most doubles in a register; as many fill a cache line
+constexpr std::align_val_t kLineAlignment{64};  // size of a cache line [bytes]
+constexpr int kMaxLanes = 8;  // largest number of doubles in a register; as many fill a cache line
 
 /// Rounds a number of doubles up to whole cache lines.
 long padded(long doubles) { return (doubles + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
 
-/// Columns of a matrix, the last one again in lanes that are left over.
+/// Returns pointers to columns of a matrix; surplus lanes repeat the last column.
 template <typename Matrix, typename Column>
 std::array<Column, kMaxLanes> columns(Matrix& matrix, Eigen::Index first, int count) {
   std::array<Column, kMaxLanes> columns;
@@ -29,14 +29,14 @@ std::array<double*, kMaxLanes> columns_of(Eigen::MatrixXd& matrix, Eigen::Index 
   return columns<Eigen::MatrixXd, double*>(matrix, first, count);
 }
 
-/// The narrowest backend for so many points, or the widest.
+/// Returns the narrowest backend for a number of points, or else the widest.
 const SimdBackend& backend_for(const std::vector<SimdBackend>& choice, Eigen::Index points) {
   for (auto backend = choice.rbegin(); backend != choice.rend(); ++backend)
     if (backend->lanes >= points) return *backend;
   return choice.front();
 }
 
-/// Groups of points, and where their tapes begin in memory; `length` is that of all [doubles].
+/// Groups of points, with offsets and total length of their tapes in memory [doubles].
 struct Division {
   std::vector<Group> groups;
   std::vector<long> begins;
@@ -46,10 +46,10 @@ Division divide(const Program& program, const std::vector<SimdBackend>& choice, 
                 KeepTape keep) {
   Division all;
   for (Eigen::Index first = 0; first < points;) {
-    // As many points as the backend takes at once.
+    // Take as many points as the backend evaluates at once.
     const SimdBackend& backend = backend_for(choice, points - first);
     const int count = static_cast<int>(std::min<Eigen::Index>(backend.lanes, points - first));
-    // Tapes one behind the other, or all in the same place.
+    // Place tapes one behind the other, or all in the same place.
     const long tape = padded(backend.lanes * backend.tape_length(program));
     all.begins.push_back(keep == KeepTape::kYes ? all.length : 0);
     all.length = keep == KeepTape::kYes ? all.length + tape : std::max(all.length, tape);
@@ -72,13 +72,13 @@ void SimdBuffer::Free::operator()(double* p) const { ::operator delete(p, kLineA
 
 Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                 const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep) {
-  // One block of memory: work space, then the tapes.
+  // Allocate the workspace and the tapes in one block of memory.
   Division division = divide(program, choice, u.cols(), keep);
   const long scratch = scratch_doubles(program, choice.front());
   Batch batch{Eigen::MatrixXd(3 * program.trials, u.cols()), std::move(division.groups),
               SimdBuffer(scratch + division.length)};
   for (std::size_t g = 0; g < batch.groups.size(); ++g) {
-    // Group by group, in the same work space.
+    // Run each group in the same workspace.
     Group& group = batch.groups[g];
     group.tape = batch.memory.first() + scratch + division.begins[g];
     group.backend->run(program, columns_of(u, group.first, group.count).data(), group.count,
@@ -92,7 +92,7 @@ Eigen::MatrixXd adjoint_batch(const Program& program, const Batch& batch,
                               const Eigen::Ref<const Eigen::MatrixXd>& weights) {
   Eigen::MatrixXd gradient(program.fit_coordinates, weights.cols());
   if (batch.groups.empty()) return gradient;
-  // The tapes are those of the run; only the work space is new.
+  // Use the tapes of the run, with a new workspace.
   const SimdBuffer scratch(scratch_doubles(program, *batch.groups.front().backend));
   for (const Group& group : batch.groups)
     group.backend->run_adjoint(

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Runs many points through a backend, a group of lanes at a time.
+/// Evaluation of many points by SIMD backends, one group of lanes at a time.
 
 #include <memory>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace thenar::kernel {
 
-/// Aligned memory for the registers of any backend.
+/// Memory aligned for the registers of any backend.
 class SimdBuffer {
  public:
   explicit SimdBuffer(long doubles);
@@ -24,27 +24,29 @@ class SimdBuffer {
   std::unique_ptr<double, Free> first_;
 };
 
-/// Points that a backend ran together, and their tape.
+/// Points evaluated together by a backend, and their tape.
 struct Group {
   const SimdBackend* backend;
-  Eigen::Index first;  // point
-  int count;           // of points
-  double* tape;        // in the batch's memory
+  Eigen::Index first;  // index of the first point
+  int count;           // number of points
+  double* tape;        // tape within the memory of the batch
 };
 
+/// Forces of all points, with the tapes of their computation.
 struct Batch {
   Eigen::MatrixXd forces;  // [N] (3 trials, points)
   std::vector<Group> groups;
-  SimdBuffer memory;  // of all tapes, or of one that all groups wrote over
+  SimdBuffer memory;  // memory of all tapes, or of one that all groups overwrite
 };
 
-/// @param choice  backends to take, widest first; the last points go to the narrowest backend that
-///                holds them
-/// @param u       (fit coordinates, points)
+/// Predicts the forces at many points.
+/// @param choice  backends to use, widest first; the last points use the narrowest backend that
+/// holds them
+/// @param u       displacements (fit coordinates, points)
 [[nodiscard]] Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                               const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep);
 
-/// J' w (fit coordinates, points) for weights w (3 trials, points).
+/// Computes J' w (fit coordinates, points) for weights w (3 trials, points).
 [[nodiscard]] Eigen::MatrixXd adjoint_batch(const Program& program, const Batch& batch,
                                             const Eigen::Ref<const Eigen::MatrixXd>& weights);
 

@@ -12,19 +12,19 @@ void append(const Matrix& values, std::vector<double>& row) {
     for (Eigen::Index j = 0; j < values.cols(); ++j) row.push_back(values(i, j));
 }
 
-/// The numbers of a model in the order of Layout; shifts of hood fractions are zero.
+/// Returns the numbers of a model in the order of Layout; shifts of hood fractions are zero.
 std::vector<double> row_of(const SpecimenModel<double>& model) {
   std::vector<double> row;
-  // Hinges and paths.
+  // Append hinges and paths.
   for (const auto& hinge : model.digit.tree) append(hinge.direction, row);
   for (const auto& hinge : model.digit.tree) append(hinge.point, row);
   for (const auto& path : model.digit.paths)
     for (const auto& node : path) append(node.p, row);
-  // Arms, friction and hood.
+  // Append moment arms, friction and hood.
   append(model.digit.constant_arms, row);
   append(model.digit.friction, row);
   for (const auto& share : model.digit.hood_shares) row.insert(row.end(), {0, 0, share.slope});
-  // Mounting: tip, load cell, errors of angles, hold, gains.
+  // Append the mounting: tip, load cell, angle errors, constraint, gains.
   append(model.digit.tip, row);
   append(model.sensor_tilt, row);
   append(model.angle_error, row);
@@ -36,24 +36,25 @@ std::vector<double> row_of(const SpecimenModel<double>& model) {
   return row;
 }
 
-/// Hood fractions are no straight lines of their parameters, but their logits are.
+/// Writes a shift of a hood fraction: not the fractions but their logits are linear in their
+/// parameters.
 void set_hood_shift(const Parameter& p, double value, const Layout& layout,
                     std::vector<double>& row) {
   if (p.kind == ParameterKind::kHoodEntry) row[layout.into(p.item)] = value;
   if (p.kind == ParameterKind::kHoodCentral) row[layout.central(p.item)] = value;
 }
 
-/// A digit of which every number is zero.
+/// Returns a digit in which every free number is zero.
 SpecimenModel<double> zeros(const TendonDigit& digit, int postures) {
   SpecimenModel<double> model = cast_model<double>(digit.model, postures);
-  // Geometry.
+  // Clear the geometry.
   for (auto& hinge : model.digit.tree) {
     hinge.direction.setZero();
     hinge.point.setZero();
   }
   for (auto& path : model.digit.paths)
     for (auto& node : path) node.p.setZero();
-  // Hood, arms, friction, tip and gains.
+  // Clear hood, arms, friction, tip and gains.
   for (auto& share : model.digit.hood_shares) share.slope = 0;
   model.digit.constant_arms.setZero();
   model.digit.friction.setZero();
@@ -70,13 +71,13 @@ Layout::Layout(const TendonModel<double>& model, int posture_count)
       postures(posture_count),
       muscles(static_cast<int>(model.pulls.size())) {
   const int strands = static_cast<int>(model.paths.size());
-  // First path point of each strand.
+  // Find the first path point of each strand.
   int count = 0;
   for (const auto& path : model.paths) {
     first_node.push_back(count);
     count += static_cast<int>(path.size());
   }
-  // Places of the numbers, one kind behind the other.
+  // Place the numbers, one kind behind the other.
   directions = 0;
   points = directions + 3 * hinges;
   nodes = points + 3 * hinges;
@@ -96,7 +97,7 @@ Layout::Layout(const TendonModel<double>& model, int posture_count)
 
 std::vector<double> initial_parameters(const TendonDigit& digit, const FitParameters& parameters,
                                        const Layout& layout) {
-  // All parameters at their prior means.
+  // Set all parameters to their prior means.
   SpecimenModel<double> model = cast_model<double>(digit.model, layout.postures);
   for (const Parameter& p : parameters.all) set_parameter(digit.model, p, p.mean, model);
   std::vector<double> row = row_of(model);
@@ -108,7 +109,7 @@ std::vector<LinearTerm> parameter_terms(const TendonDigit& digit, const FitParam
                                         const Layout& layout) {
   std::vector<LinearTerm> moves;
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
-    // Set on a digit of zeros, a parameter shows what it moves and how far.
+    // Set the parameter on a digit of zeros: the numbers that are not zero are those that it moves.
     if (parameters.coordinate[p] < 0) continue;
     SpecimenModel<double> model = zeros(digit, layout.postures);
     set_parameter(digit.model, parameters.all[p], parameters.ratio[p], model);
@@ -126,12 +127,12 @@ AngleStep step_of(const PostureAngle& angle) {
   return {angle.coordinate, angle.ratio, angle.offset};
 }
 
-/// Row-major or by columns, whichever the matrix is given as.
+/// Copies a 3 x 3 matrix, column by column.
 void copy(const Eigen::Matrix3d& by_columns, double* to) {
   std::copy(by_columns.data(), by_columns.data() + 9, to);
 }
 
-/// Fills the parts of a program in order.
+/// Compiles the parts of a program in order.
 class Compiler {
  public:
   Compiler(const TendonDigit& digit, const FitParameters& parameters, const ExperimentPlan& plan,
@@ -146,11 +147,11 @@ class Compiler {
             parameter_values<double>(
                 parameters, Eigen::VectorXd(Eigen::VectorXd::Zero(parameters.coordinates()))))),
         to_(program) {
-    // Numbers that some coordinate moves.
+    // Sort the numbers that some coordinate moves.
     for (const LinearTerm& move : moves_) moving_.push_back(move.number);
     std::sort(moving_.begin(), moving_.end());
 
-    // Sizes, then the steps in the order in which they run.
+    // Set the sizes, then compile the steps in the order in which they run.
     to_.coordinates = model_.coordinates;
     to_.fit_coordinates = parameters.coordinates();
     to_.trials = static_cast<int>(plan.force.cols());
@@ -167,18 +168,19 @@ class Compiler {
   }
 
  private:
-  /// Returns whether anything moves one of `count` numbers from `place` on.
+  /// Returns whether a coordinate moves one of `count` numbers from `place` on.
   [[nodiscard]] bool moves(int place, int count) const {
     const auto first = std::lower_bound(moving_.begin(), moving_.end(), place);
     return first != moving_.end() && *first < place + count;
   }
 
-  /// Returns whether any hinge moves, or anything that it carries except tendons.
+  /// Returns whether an error moves this angle in this posture.
   [[nodiscard]] bool angle_moves(std::size_t posture, int coordinate) const {
     const int own = plan_.posture_key[posture];
     return moves(layout_.angle_errors + coordinate, 1) ||
            (own >= 0 && moves(layout_.posture_error(own) + coordinate, 1));
   }
+  /// Returns whether an error moves any angle.
   [[nodiscard]] bool any_angle_moves() const {
     return moves(layout_.angle_errors, layout_.coordinates * (1 + layout_.postures));
   }
@@ -186,9 +188,9 @@ class Compiler {
   void set_hinges() {
     std::vector<HingeStep> hinges;
     for (int i = 0; i < layout_.hinges; ++i) {
-      // Each hinge with the places of its direction and point.
+      // Locate the direction and the point of each hinge.
       const Hinge<double>& h = model_.tree[i];
-      // Directions that do not move are normalised once and for all.
+      // Normalize directions that do not move once and for all.
       const bool tilts = moves(layout_.direction(i), 3);
       hinges.push_back({h.parent, h.coordinate, h.ratio, h.offset, layout_.direction(i),
                         layout_.point(i), tilts, moves(layout_.point(i), 3)});
@@ -203,7 +205,7 @@ class Compiler {
     std::vector<double> q;
     std::vector<StillAngle> angles;
     for (std::size_t k = 0; k < plan_.postures.size(); ++k) {
-      // Stated angles, and sines and cosines of hinges that no error moves.
+      // Store stated angles, and sines and cosines of hinges that no error moves.
       const Eigen::VectorXd at = posture_at_start(k);
       for (int j = 0; j < layout_.coordinates; ++j) q.push_back(plan_.postures[k][j]);
       for (const Hinge<double>& h : model_.tree) {
@@ -216,6 +218,7 @@ class Compiler {
     to_.angle_error = layout_.angle_errors;
   }
 
+  /// Returns the angles of posture k, with their errors at the prior means [rad].
   [[nodiscard]] Eigen::VectorXd posture_at_start(std::size_t k) const {
     Eigen::VectorXd q = plan_.postures[k] + mean_.angle_error;
     if (plan_.posture_key[k] >= 0) q += mean_.posture_error.col(plan_.posture_key[k]);
@@ -228,13 +231,13 @@ class Compiler {
     std::vector<ArmTerm> arm_terms;
     std::vector<int> strands;
     for (int s = 0; s < static_cast<int>(model_.paths.size()); ++s) {
-      // Strands with a path: their points in order.
+      // List the path points of each strand in order.
       const TendonPath<double>& path = model_.paths[s];
       if (path.empty()) continue;
       strands.push_back(s);
       for (int k = 0; k < static_cast<int>(path.size()); ++k) {
         nodes.push_back({path[k].link, layout_.node(s, k)});
-        // A run between two links, with its hinges.
+        // Add a run between two links, with the hinges that it crosses.
         if (k == 0 || path[k].link == path[k - 1].link) continue;
         const int to = static_cast<int>(nodes.size()) - 1,
                   first = static_cast<int>(arm_terms.size());
@@ -250,10 +253,10 @@ class Compiler {
     to_.path_strands = std::move(strands);
   }
 
-  /// The hinges between two links, as moment_arms() arm_terms them.
+  /// Appends the hinges between two links, in the order of moment_arms().
   void climb(int strand, int a, int b, int to, std::vector<ArmTerm>& arm_terms) const {
     while (a != b) {
-      // The link further out goes one hinge towards the base.
+      // Step from the distal of the two links over one hinge towards the base.
       const bool climb_b = b > a;
       const int i = climb_b ? b : a;
       const Hinge<double>& h = model_.tree[i];
@@ -264,11 +267,11 @@ class Compiler {
   }
 
   void set_sheaths() {
-    // Bends of the finger, in order.
+    // List the bends of the finger, in order.
     std::vector<BendStep> bends;
     for (const SheathBend& bend : model_.bends)
       bends.push_back({step_of(bend.angle), bend.first_coordinate_beyond});
-    // Strands whose friction is not zero, or may become so.
+    // List strands whose friction is not zero, or may become so.
     std::vector<SheathStep> sheaths;
     for (int s = 0; s < to_.strands; ++s)
       if (moves(layout_.frictions + s, 1) || mean_.digit.friction[s] != 0)
@@ -279,12 +282,12 @@ class Compiler {
 
   void set_hood() {
     if (!model_.hood) return;
-    // Strands of the hood, and the knuckle that shifts the shares.
+    // Set the strands of the hood, and the knuckle that shifts the shares.
     const HoodRows& rows = *model_.hood;
     to_.hood = {rows.central_slip, rows.radial_band, rows.ulnar_band, rows.terminal_slip};
     to_.knuckle = step_of(model_.knuckle);
     to_.hood_angle = kHoodAngle;
-    // Each muscle's fractions, and the places of their shifts.
+    // List each muscle's fractions, and the places of their shifts.
     std::vector<ShareStep> shares;
     for (int b = 0; b < static_cast<int>(model_.hood_shares.size()); ++b) {
       const HoodShare<double>& share = model_.hood_shares[b];
@@ -298,7 +301,7 @@ class Compiler {
   }
 
   [[nodiscard]] bool arms_move() const {
-    // Arms depend on paths, bends and constants; gains count as arms.
+    // Check paths, bends and constant arms; gains scale the arms.
     const bool kinematics = moves(0, layout_.nodes) || any_angle_moves();
     const bool paths = to_.path_strands.size() > 0 &&
                        (kinematics || moves(layout_.nodes, layout_.arms - layout_.nodes));
@@ -313,13 +316,13 @@ class Compiler {
     std::vector<TensionStep> pulls;
     std::vector<double> torque;
     for (std::size_t k = 0; k < plan_.postures.size(); ++k) {
-      // Arms of the muscles in this posture, at the means.
+      // Compute the muscles' moment arms in this posture, at the prior means.
       const int first = static_cast<int>(trials.size()), own = plan_.posture_key[k];
       const Eigen::VectorXd q = posture_at_start(k);
       const Eigen::MatrixXd arms =
           mean_.gain.asDiagonal() * muscle_arms(mean_.digit, pose_tree(mean_.digit.tree, q), q);
       for (int i = 0; i < to_.trials; ++i) {
-        // Trials of the posture: the muscles that pull, and the torque if no arm moves.
+        // List the trials of the posture: the muscles that pull, and the torque if no arm moves.
         if (plan_.posture_of_trial[i] != static_cast<int>(k)) continue;
         const Eigen::VectorXd& t = plan_.tension[i];
         const int first_pull = static_cast<int>(pulls.size());
@@ -333,7 +336,7 @@ class Compiler {
           {first, static_cast<int>(trials.size()), own < 0 ? -1 : layout_.posture_error(own)});
     }
 
-    // All postures together.
+    // Set what all postures share.
     to_.arms_move = arms_move();
     to_.postures = std::move(postures);
     to_.trial_steps = std::move(trials);
@@ -347,7 +350,7 @@ class Compiler {
   }
 
   void set_hold() {
-    // Loads that the hold carries.
+    // Set the loads that the tip constraint carries.
     const bool out_of_plane = mean_.out_of_plane != 0 || moves(layout_.out_of_plane, 1);
     const bool in_plane = plan_.known == DecidedForces::kInPlane;
     to_.tip_forces = in_plane ? 2 : 3;
@@ -360,7 +363,7 @@ class Compiler {
     to_.tip_link = model_.tip_link;
     to_.tip = layout_.tip;
     copy(model_.tip_axes, to_.tip_axes);
-    // Hinges between the tip and the base.
+    // List the hinges between the tip and the base.
     std::vector<int> hinges;
     for_each_hinge_to_base(model_.tree, model_.tip_link, [&](int i) { hinges.push_back(i); });
     to_.tip_hinges = std::move(hinges);
@@ -380,7 +383,7 @@ class Compiler {
   std::vector<LinearTerm> moves_;
   std::vector<double> start_;
   SpecimenModel<double> mean_;
-  std::vector<int> moving_;  // numbers that move, in order
+  std::vector<int> moving_;  // numbers that move, sorted
   Program& to_;
 };
 

@@ -1,19 +1,19 @@
 #pragma once
 
-/// Compiles a digit, its parameters and an experiment to a Program.
+/// Compilation of a digit, its parameters and an experiment to a Program.
 
 #include "kinematics_fit/kernel/program.h"
 #include "kinematics_fit/model/predict_forces.h"
 
 namespace thenar::kernel {
 
-/// Indices of the numbers of a SpecimenModel in one row, in which every parameter is a straight
-/// line.
+/// Indices of the numbers of a SpecimenModel in one row of numbers. Every parameter changes these
+/// numbers linearly.
 struct Layout {
   explicit Layout(const TendonModel<double>& model, int posture_count);
 
   int hinges, coordinates, postures, muscles;
-  std::vector<int> first_node;  // of each strand
+  std::vector<int> first_node;  // index of the first path node of each strand
   // Index of the first number of each kind.
   int directions, points, nodes, arms, frictions, shares, tip, tilt, angle_errors, posture_errors,
       out_of_plane, gains, unexplained, posture_unexplained, size;
@@ -32,14 +32,14 @@ struct Layout {
   }
 };
 
-/// Row of a digit whose parameters are at their means; axis directions are not normalised, and hood
-/// fractions are shifts of their logits.
+/// Returns the numbers of a digit with all parameters at their means; axis directions are not
+/// normalised, and hood fractions are shifts of their logits.
 [[nodiscard]] std::vector<double> initial_parameters(const TendonDigit& digit,
                                                      const FitParameters& parameters,
                                                      const Layout& layout);
 
-/// Numbers of the row that each coordinate moves, with their weights: set_parameter() on a digit of
-/// zeros.
+/// Returns the numbers that each coordinate changes, with their weights, by applying
+/// set_parameter() to a digit of zeros.
 [[nodiscard]] std::vector<LinearTerm> parameter_terms(const TendonDigit& digit,
                                                       const FitParameters& parameters,
                                                       const Layout& layout);

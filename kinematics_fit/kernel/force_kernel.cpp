@@ -12,17 +12,18 @@ struct ForceKernel::Program : kernel::Program {};
 
 class ForceKernel::Tape {
  public:
-  explicit Tape(kernel::Batch of) : batch(std::move(of)) {}
-  kernel::Batch batch;  // its forces have moved out
+  explicit Tape(kernel::Batch completed) : batch(std::move(completed)) {}
+  kernel::Batch batch;  // tapes of the run; its forces were moved out
 };
 
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
                          const ExperimentPlan& plan)
     : program_(std::make_unique<Program>()) {
-  require(knows(digit, plan), "a compiled model has no extensor net and forces of the tip alone");
+  require(supports(digit, plan),
+          "a compiled model has no extensor net and forces of the tip alone");
   kernel::compile(digit, parameters, plan, *program_);
 }
-bool ForceKernel::knows(const TendonDigit& digit, const ExperimentPlan& plan) {
+bool ForceKernel::supports(const TendonDigit& digit, const ExperimentPlan& plan) {
   return !digit.net && plan.sites.empty();
 }
 
@@ -42,7 +43,7 @@ Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
-  // The tape stays with whoever asks for the adjoint.
+  // Keep the tape for the adjoint.
   auto tape = std::make_shared<Tape>(
       kernel::run_batch(*program_, kernel::simd_backends(), u, kernel::KeepTape::kYes));
   Eigen::MatrixXd forces = std::move(tape->batch.forces);
@@ -58,15 +59,15 @@ Eigen::MatrixXd ForceKernel::adjoint_product(
 }
 
 ForceKernel::Slopes ForceKernel::slopes(const Eigen::VectorXd& u) const {
-  const Eigen::Index rows = 3 * Eigen::Index{trials()}, most = lanes();
+  const Eigen::Index rows = 3 * Eigen::Index{trials()}, lane_count = lanes();
   Slopes out{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, coordinates())};
   if (rows == 0) return out;
-  // One run in all lanes, then an adjoint of as many forces as there are lanes, over and over.
-  const Recorded recorded = record(u.replicate(1, most));
+  // Run the point in all lanes, then apply adjoints to as many forces at a time as there are lanes.
+  const Recorded recorded = record(u.replicate(1, lane_count));
   out.forces = recorded.forces.col(0);
-  for (Eigen::Index first = 0; first < rows; first += most) {
-    const Eigen::Index count = std::min(most, rows - first);
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, most);
+  for (Eigen::Index first = 0; first < rows; first += lane_count) {
+    const Eigen::Index count = std::min(lane_count, rows - first);
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, lane_count);
     weights.middleRows(first, count).leftCols(count).setIdentity();
     out.J.middleRows(first, count) = adjoint_product(recorded, weights).leftCols(count).transpose();
   }

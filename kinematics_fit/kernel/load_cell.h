@@ -16,6 +16,7 @@ struct Tilt {
   Mat Q;
 };
 
+/// Computes the rotation of a rotation vector w.
 inline Tilt tilt_of(const Vec& w) {
   Tilt t;
   t.h = splat(0.5) * w;
@@ -31,7 +32,7 @@ inline Tilt tilt_of(const Vec& w) {
   return t;
 }
 
-/// w_bar from Q_bar: by K, by K^2 and by s.
+/// Returns w_bar from Q_bar, through K, K^2 and s.
 inline Vec adjoint_tilt(const Tilt& t, const Mat& Q_bar) {
   const Mat B = transposed(Q_bar);
   const Vec twist = {Q_bar.y.z - Q_bar.z.y, Q_bar.z.x - Q_bar.x.z, Q_bar.x.y - Q_bar.y.x};
@@ -42,35 +43,36 @@ inline Vec adjoint_tilt(const Tilt& t, const Mat& Q_bar) {
   return splat(0.5) * h_bar;
 }
 
-/// Directions in which the forces are stated, in the posture of their link.
-inline Mat stated_axes(const Program& program, const Posed& posed) {
+/// Returns the directions of the force components, in the posture of their link.
+inline Mat stated_axes(const Program& program, const PosedDigit& posed) {
   const Mat axes = constant_matrix(program.tip_axes);
   return program.force_link < 0 ? axes : posed.R[program.force_link] * axes;
 }
 
-/// cell = components  tilt  stated_axes' tip_axes
-inline void set_load_cell(const Program& program, const DigitParameters& digit, Posed& posed) {
+/// Computes cell = components  tilt  stated_axes' tip_axes.
+inline void set_load_cell(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   if (!program.cell_moves) {
     *posed.cell = constant_matrix(program.still_cell);
     return;
   }
-  // Tilt of the cell, and turn from the tip's axes to the stated ones.
+  // Tilt of the cell, and rotation from the tip's axes to those of the components.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   *posed.cell = constant_matrix(program.components) * tilt.Q;
   if (program.force_link != program.tip_link)
     *posed.cell = *posed.cell * (transposed(stated_axes(program, posed)) * *posed.axes);
 }
 
+/// Adjoint of set_load_cell().
 inline void adjoint_load_cell(const Program& program, const DigitParameters& digit,
-                              const Posed& posed, const Mat& cell_bar, Wrenches& on,
+                              const PosedDigit& posed, const Mat& cell_bar, Wrenches& on,
                               DigitParameters& adjoint_digit) {
   if (!program.cell_moves) return;
-  // The tilt comes last in the product.
+  // The tilt is the last factor of the product.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   const Mat components = constant_matrix(program.components);
   Mat tilted_bar = cell_bar;
   if (program.force_link != program.tip_link) {
-    // Both sets of axes turn with their links.
+    // Both sets of axes rotate with their links.
     const Mat stated = stated_axes(program, posed);
     const Mat between = transposed(stated) * *posed.axes;
     const Mat between_bar = transposed(components * tilt.Q) * cell_bar;
@@ -91,20 +93,21 @@ inline void adjoint_load_cell(const Program& program, const DigitParameters& dig
 // Step 6: forces of all trials of a posture from their torques.
 namespace {
 
-/// Torque of a trial about joint j, computed or constant [N m].
-inline V torque_of(const Program& program, const PostureStep& posture, const Posed& posed,
+/// Returns the torque of a trial about joint j, computed or constant [N m].
+inline V torque_of(const Program& program, const PostureStep& posture, const PosedDigit& posed,
                    int trial, int j) {
   return program.arms_move ? posed.torque[(trial - posture.first_trial) * program.coordinates + j]
                            : splat(program.still_torque[trial * program.coordinates + j]);
 }
 
-/// Tip force per torque about joint j: rows of P; in the plane of flexion the radial one is zero.
+/// Returns the tip force per torque about joint j, from rows of P; in the plane of flexion the
+/// radial component is zero.
 inline Vec tip_force_of(const Program& program, const V* P, int j) {
   const int n = program.coordinates;
   return {P[j], P[n + j], program.tip_forces == 3 ? P[2 * n + j] : V{}};
 }
 
-/// Sum over the muscles of a trial of  tension unexplained [N].
+/// Returns the sum over the muscles of a trial of  tension unexplained [N].
 inline Vec unexplained_force(const Program& program, const DigitParameters& digit, int trial) {
   Vec f = {V{}, V{}, V{}};
   const TrialStep& step = program.trial_steps[trial];
@@ -116,10 +119,10 @@ inline Vec unexplained_force(const Program& program, const DigitParameters& digi
   return f;
 }
 
-/// map = cell (rows of P that are forces);  force = map torque + cell unexplained
-inline void set_forces(const Program& program, int k, const DigitParameters& digit, Posed& posed,
-                       V* force) {
-  // Force components per torque.
+/// Computes map = cell (rows of P that are forces) and force = map torque + cell unexplained.
+inline void set_forces(const Program& program, int k, const DigitParameters& digit,
+                       PosedDigit& posed, V* force) {
+  // Force components per joint torque.
   const int n = program.coordinates;
   const Mat cell = *posed.cell;
   const V* P = posed.inverse;
@@ -142,11 +145,11 @@ inline void set_forces(const Program& program, int k, const DigitParameters& dig
   }
 }
 
-/// Adjoint of the forces that the geometry does not explain:  tension cell' force_bar  for each
-/// muscle, and their part of cell_bar.
+/// Adjoint of the unexplained forces:  tension cell' force_bar  for each muscle, and their
+/// contribution to cell_bar.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_unexplained(const Program& program, int trial, const DigitParameters& digit,
-                                const Posed& posed, const Vec& force_bar,
+                                const PosedDigit& posed, const Vec& force_bar,
                                 DigitParameters& adjoint_digit, Mat& cell_bar) {
   const Vec push = turned_back(*posed.cell, force_bar);
   const TrialStep& step = program.trial_steps[trial];
@@ -163,13 +166,13 @@ inline void adjoint_unexplained(const Program& program, int trial, const DigitPa
   cell_bar.z += f.z * force_bar;
 }
 
-/// torque_bar = map' force_bar,  map_bar = sum force_bar torque',  and from it P_bar = cell'
-/// map_bar and cell_bar = map_bar P'.
+/// Adjoint of set_forces():  torque_bar = map' force_bar,  map_bar = sum force_bar torque',  and
+/// from it P_bar = cell' map_bar and cell_bar = map_bar P'.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& digit,
-                          const Posed& posed, const V* force_bar, Posed& adjoint,
+                          const PosedDigit& posed, const V* force_bar, PosedDigit& adjoint,
                           DigitParameters& adjoint_digit) {
-  // From forces of the trials to the map and to the torques.
+  // From forces of the trials to the map and the torques.
   const int n = program.coordinates;
   const V *P = posed.inverse, *map = posed.map;
   Mat cell_bar = constant_matrix(kIdentity);
@@ -189,7 +192,7 @@ inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& 
     if (program.unexplained_moves)
       adjoint_unexplained(program, i, digit, posed, push, adjoint_digit, cell_bar);
   }
-  // From the map to the pseudo-inverse, and to the cell where it moves.
+  // From the map to the pseudo-inverse, and to the cell if it moves.
   for (int j = 0; j < n; ++j) {
     const Vec map_bar = {adjoint.map[j], adjoint.map[n + j], adjoint.map[2 * n + j]};
     const Vec push = turned_back(*posed.cell, map_bar);

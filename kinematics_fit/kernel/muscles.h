@@ -7,18 +7,21 @@
 namespace thenar::kernel {
 namespace {
 
-/// A fraction c moved by u on the logit scale; its derivative by u is f (1 - f).
+/// Shifts a fraction c by u on the logit scale. The derivative of the result f by u is f (1 - f).
 inline V shifted(double c, const V& u) {
   const V odds = c * exponential(u);
   return odds / ((1.0 - c) + odds);
 }
 
-/// Arms at coordinate j of the strands that a share of the hood pulls: of the central slip, and of
-/// the lateral bands with the terminal slip.
-struct Fed {
+/// Arms, at one coordinate, of the strands to which the hood distributes a share: the central slip,
+/// and the lateral bands with the terminal slip.
+struct HoodStrandArms {
   V central, lateral;
 };
-inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int j) {
+
+/// Returns the arms of the strands of a share at coordinate j.
+inline HoodStrandArms hood_strand_arms(const Program& program, const ShareStep& share, const V* arm,
+                                       int j) {
   const int n = program.coordinates;
   const HoodSteps& hood = program.hood;
   return {arm[hood.central_slip * n + j], share.radial * arm[hood.radial_band * n + j] +
@@ -26,21 +29,21 @@ inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int
                                               arm[hood.terminal_slip * n + j]};
 }
 
-/// row = arms of the strand pulled + h (c central + (1 - c) lateral)
-inline void set_rows(const Program& program, const DigitParameters& digit, Posed& posed) {
+/// Computes row = arms of the pulled strand + h (c central + (1 - c) lateral).
+inline void set_rows(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
   const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
   for (int b = 0; b < program.shares.size(); ++b) {
-    // Fractions at this posture: logits are shifted by parameters and by flexion of the knuckle.
+    // Fractions in this posture: logits are shifted by parameters and by flexion of the knuckle.
     const ShareStep& share = program.shares[b];
     posed.into[b] = shifted(share.into, digit.number[share.into_shift]);
     posed.central[b] = shifted(
         share.central, digit.number[share.central_shift] + digit.number[share.slope] * bent);
-    // Arms through the hood, weighed by them.
+    // Arms through the hood, weighted by the fractions.
     for (int j = 0; j < n; ++j) {
-      const Fed strands = fed(program, share, posed.arm, j);
+      const HoodStrandArms strands = hood_strand_arms(program, share, posed.arm, j);
       posed.row[share.muscle * n + j] +=
           posed.into[b] *
           (posed.central[b] * strands.central + (1.0 - posed.central[b]) * strands.lateral);
@@ -48,9 +51,11 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
   }
 }
 
-inline void adjoint_rows(const Program& program, const DigitParameters& digit, const Posed& posed,
-                         Posed& adjoint, DigitParameters& adjoint_digit) {
-  // Strands that muscles pull.
+/// Adjoint of set_rows().
+inline void adjoint_rows(const Program& program, const DigitParameters& digit,
+                         const PosedDigit& posed, PosedDigit& adjoint,
+                         DigitParameters& adjoint_digit) {
+  // Strands that the muscles pull.
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j)
@@ -59,12 +64,12 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
   const HoodSteps& hood = program.hood;
   for (int b = 0; b < program.shares.size(); ++b) {
     const ShareStep& share = program.shares[b];
-    // Adjoints of the hood's strands, and sums by which both fractions are moved.
+    // Adjoints of the hood's strands, and the sums that give the adjoints of both fractions.
     const V h = posed.into[b], c = posed.central[b];
     V by_central = V{}, by_lateral = V{};
     for (int j = 0; j < n; ++j) {
       const V push = adjoint.row[share.muscle * n + j];
-      const Fed strands = fed(program, share, posed.arm, j);
+      const HoodStrandArms strands = hood_strand_arms(program, share, posed.arm, j);
       by_central += push * strands.central;
       by_lateral += push * strands.lateral;
       const V central = h * c * push, lateral = h * (1.0 - c) * push;
@@ -73,7 +78,7 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
       adjoint.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
       adjoint.arm[hood.terminal_slip * n + j] += lateral;
     }
-    // From the fractions to their logits, and on to shifts, slope and knuckle.
+    // From the fractions to their logits, and to shifts, slope and knuckle.
     const V h_bar = c * by_central + (1.0 - c) * by_lateral;
     const V c_bar = h * (by_central - by_lateral);
     adjoint_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
@@ -86,8 +91,9 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
   }
 }
 
-/// torque = sum over muscles of  gain tension row
-inline void set_torques(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
+/// Computes torque = sum over muscles of  gain tension row.
+inline void set_torques(const Program& program, int k, const DigitParameters& digit,
+                        PosedDigit& posed) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   clear(posed.torque, (posture.last_trial - posture.first_trial) * n);
@@ -102,8 +108,10 @@ inline void set_torques(const Program& program, int k, const DigitParameters& di
   }
 }
 
+/// Adjoint of set_torques().
 inline void adjoint_torques(const Program& program, int k, const DigitParameters& digit,
-                            const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
+                            const PosedDigit& posed, PosedDigit& adjoint,
+                            DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {

@@ -1,19 +1,19 @@
 #pragma once
 
-/// Step 1: from displacements u to the numbers of the digit, and the adjoint.
+/// Step 1: numbers of the digit from displacements u, and the adjoint.
 
 #include "kinematics_fit/kernel/tape.h"
 
 namespace thenar::kernel {
 namespace {
 
-/// number = start + weights u;  direction = number / |number|
+/// Computes number = start + weights u  and  direction = number / |number|.
 inline void set_parameters(const Program& program, const V* u, DigitParameters& digit) {
-  // Straight lines in u.
+  // Linear terms in u.
   for (int i = 0; i < program.start.size(); ++i) digit.number[i] = splat(program.start[i]);
   for (const LinearTerm& move : program.moves)
     digit.number[move.number] += move.weight * u[move.coordinate];
-  // Axis directions of unit length; those that never tilt have it already.
+  // Normalise axis directions; those that never tilt have unit length already.
   for (int i = 0; i < program.hinges.size(); ++i) {
     const Vec d = vector_at(digit.number + program.hinges[i].direction);
     if (program.hinges[i].tilts) {
@@ -25,7 +25,7 @@ inline void set_parameters(const Program& program, const V* u, DigitParameters& 
   }
 }
 
-/// Adjoint. Normalisation removes the part along the direction itself.
+/// Adjoint of set_parameters(). Normalisation removes the component along the direction itself.
 inline void adjoint_parameters(const Program& program, const DigitParameters& digit,
                                DigitParameters& adjoint, V* u_bar) {
   // Axis directions before normalisation.
@@ -35,7 +35,7 @@ inline void adjoint_parameters(const Program& program, const DigitParameters& di
     add_vector(adjoint.number + program.hinges[i].direction,
                digit.shrink[i] * (push - dot(push, d) * d));
   }
-  // Transpose of the straight lines.
+  // Transpose of the linear terms.
   for (const LinearTerm& move : program.moves)
     u_bar[move.coordinate] += move.weight * adjoint.number[move.number];
 }

@@ -1,14 +1,14 @@
 #pragma once
 
-/// Step 2: angles [rad], and positions and orientations of links and hinges [m]. The adjoint sums
-/// forces and moments from the tip to the base, as in statics.
+/// Step 2: angles [rad], and positions and orientations of links and hinges [m]. The adjoint
+/// accumulates forces and moments from the tip to the base, as in statics.
 
 #include "kinematics_fit/kernel/tape.h"
 
 namespace thenar::kernel {
 namespace {
 
-/// R times the turn of a hinge, with along = R d:
+/// Returns R times the rotation of a hinge, with along = R d:
 ///   column k:  cos R e_k + (1 - cos) d_k along + sin R (d x e_k).
 inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, const V& cosine) {
   const Vec u = (1.0 - cosine) * along, s = sine * d;
@@ -17,15 +17,16 @@ inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, c
           cosine * R.z + d.z * u + s.y * R.x - s.x * R.y};
 }
 
-/// Sines and cosines of all hinges in posture `k`.
-inline void set_angles(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
-  // Stated angles plus errors, of all postures and of this one.
+/// Computes sines and cosines of all hinges in posture `k`.
+inline void set_angles(const Program& program, int k, const DigitParameters& digit,
+                       PosedDigit& posed) {
+  // Stated angles plus their errors in all postures and in this one.
   const int n = program.coordinates, own = program.postures[k].own_error;
   for (int j = 0; j < n; ++j) {
     posed.angle[j] = program.q[k * n + j] + digit.number[program.angle_error + j];
     if (own >= 0) posed.angle[j] += digit.number[own + j];
   }
-  // Sines and cosines; those of angles that never move were computed before.
+  // Sines and cosines; those of constant angles were precomputed.
   for (int i = 0; i < program.hinges.size(); ++i) {
     const StillAngle& still = program.still_angles[k * program.hinges.size() + i];
     const HingeStep& hinge = program.hinges[i];
@@ -38,7 +39,8 @@ inline void set_angles(const Program& program, int k, const DigitParameters& dig
   }
 }
 
-inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
+/// Adjoint of set_angles(), from angles to their errors.
+inline void adjoint_angles(const Program& program, int k, const PosedDigit& adjoint,
                            DigitParameters& adjoint_digit) {
   const int own = program.postures[k].own_error;
   for (int j = 0; j < program.coordinates; ++j) {
@@ -47,13 +49,14 @@ inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
   }
 }
 
-/// Link by link:  axis = R_parent d,  point = its position on the parent,  R = R_parent turn.
-inline void pose(const Program& program, const DigitParameters& digit, Posed& posed) {
+/// Computes, link by link:  axis = R_parent d,  point = its position on the parent,  R = R_parent
+/// turn.
+inline void pose(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   for (int i = 0; i < program.hinges.size(); ++i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
     Mat R = constant_matrix(kIdentity);
-    // Hinges at the base, then those on a link that is posed already.
+    // Hinges at the base, then those on a link with a known pose.
     posed.axis[i] = d, posed.point[i] = p;
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
@@ -67,23 +70,23 @@ inline void pose(const Program& program, const DigitParameters& digit, Posed& po
   }
 }
 
-/// A force F at its hinge's point and a moment M about the point act on a link (see Wrenches). The
-/// twists that move all links beyond are
+/// Adjoint of pose(). A force F at its hinge's point and a moment M about the point act on a link
+/// (see Wrenches). The twists that move all links beyond are
 ///   by the angle: axis;  by a tilt e: sin R e + (1 - cos) axis x R e;  by the point: (R_parent -
 ///   R) e.
 /// With the adjoints of the axis and the point themselves:
 ///   angle_bar = axis . M,
 ///   d_bar     = R_parent' (sin M + (1 - cos) M x axis + axis_bar),
 ///   p_bar     = R_parent' (F + point_bar) - R' F.
-inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& on, Posed& adjoint,
-                         DigitParameters& adjoint_digit) {
+inline void adjoint_pose(const Program& program, const PosedDigit& posed, Wrenches& on,
+                         PosedDigit& adjoint, DigitParameters& adjoint_digit) {
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
     // The angle's adjoint is the moment along the axis.
     adjoint.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
     Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + adjoint.axis[i];
-    // Force and moment pass on to the parent, as for a free body.
+    // Transfer force and moment to the parent, as for a free body.
     const Vec total = F + adjoint.point[i];
     Vec shift = total;
     if (hinge.parent >= 0) {
@@ -94,15 +97,15 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
       on.moment[parent] +=
           M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], total);
     }
-    // Numbers of the hinge, where anything moves them.
+    // Numbers of the hinge, if any coordinate moves them.
     if (hinge.tilts) adjoint_digit.direction[i] += tilt;
     if (hinge.shifts)
       add_vector(adjoint_digit.number + hinge.point, shift - turned_back(posed.R[i], F));
   }
 }
 
-/// Position of a point of a link in the posture; link -1 is the base.
-inline Vec link_point(const Program& program, const DigitParameters& digit, const Posed& posed,
+/// Returns the position of a point of a link in the posture; link -1 is the base.
+inline Vec link_point(const Program& program, const DigitParameters& digit, const PosedDigit& posed,
                       int link, int place) {
   const Vec p = vector_at(digit.number + place);
   if (link < 0) return p;
@@ -110,9 +113,9 @@ inline Vec link_point(const Program& program, const DigitParameters& digit, cons
          posed.R[link] * (p - vector_at(digit.number + program.hinges[link].point));
 }
 
-/// Adjoint: a force `push` at the point's position x acts on its link.
+/// Adjoint of link_point(): a force `push` at the point's position x acts on its link.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
-inline void adjoint_link_point(const Posed& posed, int link, int place, const Vec& x,
+inline void adjoint_link_point(const PosedDigit& posed, int link, int place, const Vec& x,
                                const Vec& push, Wrenches& on, DigitParameters& adjoint_digit) {
   if (link < 0) {
     add_vector(adjoint_digit.number + place, push);

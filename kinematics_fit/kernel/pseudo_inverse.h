@@ -1,18 +1,18 @@
 #pragma once
 
-/// Pseudo-inverse P of the loads L and its adjoint: least squares where the hold carries fewer
-/// loads than there are joints, the inverse where as many, least norm where more.
+/// Pseudo-inverse P of the loads L and its adjoint: least squares if the constraint carries fewer
+/// loads than there are joints, the inverse if as many, minimum norm if more.
 
 #include "kinematics_fit/kernel/tape.h"
 
 namespace thenar::kernel {
 namespace {
 
-/// Squared sine of the angle between a column and the span of those before it. Below this limit the
-/// column counts as dependent: no digit of a force would be right [1].
+/// Squared sine of the angle between a column and the span of the previous columns below which it
+/// counts as dependent: no digit of a force would be correct [1].
 inline constexpr double kSingularSquare = 1e-24;
 
-/// X with  U X = D^-1 Q'  by backward substitution.
+/// Solves  U X = D^-1 Q'  by back substitution.
 /// @param inverse  1 / |q|^2 of each column of Q (columns)
 inline void substitute_back(const V* Q, const V* U, const V* inverse, int rows, int columns, V* X) {
   for (int k = columns - 1; k >= 0; --k)
@@ -23,9 +23,10 @@ inline void substitute_back(const V* Q, const V* U, const V* inverse, int rows, 
     }
 }
 
-/// X = A^+ (columns, rows) of A (rows, columns), column-major, rows >= columns, NaN if singular.
-/// A = Q U by modified Gram-Schmidt, twice, so that Q is orthogonal to rounding;  U X = D^-1 Q'.
-/// @param work  (rows columns + columns columns + columns)
+/// Computes X = A^+ (columns, rows) of A (rows, columns), column-major, rows >= columns, NaN if
+/// singular. A = Q U by modified Gram-Schmidt with reorthogonalisation, so that Q is orthogonal to
+/// rounding; then U X = D^-1 Q'.
+/// @param work  workspace (rows columns + columns columns + columns)
 /// Source: [Bjorck1996], methods based on Gram-Schmidt.
 inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
   V *Q = work, *U = Q + rows * columns, *inverse = U + columns * columns;
@@ -34,7 +35,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
     for (int j = 1; j < rows; ++j) sum += Q[a * rows + j] * Q[b * rows + j];
     return sum;
   };
-  // Gram-Schmidt, column by column, twice over.
+  // Gram-Schmidt, column by column, with two passes.
   for (int i = 0; i < rows * columns; ++i) Q[i] = A[i];
   for (int k = 0; k < columns; ++k) {
     const V whole = product(k, k);
@@ -45,17 +46,17 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
         U[l * columns + k] += u;
         for (int j = 0; j < rows; ++j) Q[k * rows + j] -= u * Q[l * rows + j];
       }
-    // A column without a part of its own is singular.
+    // A column in the span of the previous ones is singular.
     const V rest = product(k, k);
     inverse[k] = rest > kSingularSquare * whole ? 1.0 / rest : splat(kNaN);
   }
   substitute_back(Q, U, inverse, rows, columns, X);
 }
 
-/// P (c, n) row-major of L (n, c) row-major.
-/// @param work  (n c + (n + c + 1) max(n, c) + n c)
+/// Computes P (c, n) row-major of L (n, c) row-major.
+/// @param work  workspace (n c + (n + c + 1) max(n, c) + n c)
 inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
-  if (n < c) {  // least norm: L' is tall, and stands there column by column
+  if (n < c) {  // least norm: L' is tall, and stored column by column
     V* X = work + n * c + n * n + n;
     pseudo_inverse(L, c, n, X, work);
     for (int j = 0; j < n; ++j)
@@ -68,7 +69,8 @@ inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
   }
 }
 
-/// Z = P P_bar' (c, F), F the rows of P that are forces; its other columns are zero.
+/// Computes Z = P P_bar' (c, F), with F the number of rows of P that are forces; other columns are
+/// zero.
 template <int F>
 inline void product_with(const V* P, const V* P_bar, int n, int c, V* Z) {
   for (int a = 0; a < c; ++a)
@@ -79,7 +81,7 @@ inline void product_with(const V* P, const V* P_bar, int n, int c, V* Z) {
     }
 }
 
-/// L_bar = -P' Z'
+/// Computes L_bar = -P' Z'.
 template <int F>
 inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
   for (int j = 0; j < n; ++j)
@@ -90,7 +92,7 @@ inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
     }
 }
 
-/// N = first F rows of  I - P L  (F, c).
+/// Computes N, the first F rows of  I - P L  (F, c).
 template <int F>
 inline void null_projector(const V* L, const V* P, int n, int c, V* N) {
   for (int b = 0; b < F; ++b)
@@ -103,7 +105,7 @@ inline void null_projector(const V* L, const V* P, int n, int c, V* N) {
 
 // NOLINTBEGIN(readability-function-size): factors, adjoints and their sizes are pointers and ints
 
-/// L_bar += (P_bar' - L Z) P P'
+/// Computes L_bar += (P_bar' - L Z) P P'.
 template <int F>
 inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
                              V* L_bar, V* G) {
@@ -114,7 +116,7 @@ inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z,
       for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
       G[b * c + k] = sum;
     }
-  // Row j of the bracket, times those rows.
+  // Row j of the bracket, times these rows.
   for (int j = 0; j < n; ++j) {
     V left[F];
     for (int b = 0; b < F; ++b) {
@@ -129,13 +131,13 @@ inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z,
   }
 }
 
-/// L_bar = P' (Z (I - P L) - Z')
+/// Computes L_bar = P' (Z (I - P L) - Z').
 template <int F>
 inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar,
                                V* work) {
   V *N = work, *W = N + F * c;
   null_projector<F>(L, P, n, c, N);
-  // W = Z (I - P L) - Z', where only F columns of Z are not zero.
+  // W = Z (I - P L) - Z', where only F columns of Z are nonzero.
   for (int a = 0; a < c; ++a)
     for (int k = 0; k < c; ++k) {
       V sum = a < F ? -Z[k * F + a] : V{};
@@ -151,10 +153,11 @@ inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c,
     }
 }
 
-/// Adjoint, of which only the first F rows of P matter: those of the force. With Z = P P_bar',
+/// Computes the adjoint, where only the first F rows of P matter: those of the forces. With Z = P
+/// P_bar',
 ///   n >= c:  L_bar = (P_bar' - L Z) P P' - P' Z'      (nothing in brackets where n = c)
 ///   n < c:   L_bar = P' (Z (I - P L) - Z').
-/// @param P_bar  (F, n) row-major     @param work  (6 c + c c)
+/// @param P_bar  (F, n) row-major     @param work  workspace (6 c + c c)
 /// Source: [Golub1973] for the derivative, dP = -P dL P + P P' dL' (I - L P) + (I - P L) dL' P' P.
 template <int F>
 inline void adjoint_inverse_of(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Vector arithmetic on THENAR_LANES points at a time. Only simd_backend_*.cpp include it, which
+/// Vector arithmetic on THENAR_LANES points at a time. Only simd_backend_*.cpp include it; they
 /// define THENAR_LANES.
 ///
 /// Every backend computes the same sums in the same order, without fused multiplications
@@ -20,7 +20,7 @@
 namespace thenar::kernel {
 namespace {
 
-inline constexpr int kLanes = THENAR_LANES;  // Doubles in a register
+inline constexpr int kLanes = THENAR_LANES;  // doubles in a register
 
 #if THENAR_LANES == 1
 using V = double;
@@ -44,15 +44,15 @@ inline V splat(double x) { return V{} + x; }
 
 inline constexpr double kNaN = __builtin_nan("");
 
-/// NaN for angles that are too large for internal::sin_cos().
+/// Returns sine and cosine; NaN for angles that are too large for internal::sin_cos().
 inline internal::SinCos<V> sine_and_cosine(const V& angle) {
   const V bound = splat(internal::kSinCosBound);
   const V a = angle < bound ? (angle > -bound ? angle : splat(kNaN)) : splat(kNaN);
   return internal::sin_cos(a);
 }
 
-/// exp(x) to 1e-16, for |x| <= 700 and beyond as there.
-/// x = n log 2 + r,  |r| <= log(2) / 2,  exp(r) by Remez' rational function.
+/// Computes exp(x) to 1e-16; x is clipped to |x| <= 700. x = n log 2 + r,  |r| <= log(2) / 2,
+/// exp(r) by Remez' rational function.
 /// Source: [Sun1993] fdlibm, e_exp.c.
 inline V exponential(const V& x) {
   const V kTop = splat(700);
@@ -60,7 +60,7 @@ inline V exponential(const V& x) {
   const double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
   const V shifted = y * 1.44269504088896338700e+00 + kRound;
   const V n = shifted - kRound;
-  // Remainder in two parts, so that no digit of it is lost.
+  // Remainder in two parts, so that no digit is lost.
   const V high = y - n * 6.93147180369123816490e-01, low = n * 1.90821492927058770002e-10;
   const V r = high - low, t = r * r;
   // Rational approximation of exp(r).
@@ -70,11 +70,12 @@ inline V exponential(const V& x) {
                     t * (6.61375632143793436117e-05 +
                          t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
   const V e = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
-  // 2^n by its exponent bits.
+  // 2^n from its exponent bits.
   const auto power = (internal::bits(shifted) << 52) + internal::bits(splat(1.0));
   return e * internal::lanes(power);
 }
 
+/// Three-dimensional vector in every lane.
 struct Vec {
   V x, y, z;
 };
@@ -88,12 +89,12 @@ inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Three by three, by columns.
+/// Matrix (3, 3) in every lane, by columns.
 struct Mat {
   Vec x, y, z;
 };
 inline Vec operator*(const Mat& A, const Vec& v) { return v.x * A.x + v.y * A.y + v.z * A.z; }
-/// A' v
+/// Returns A' v.
 inline Vec turned_back(const Mat& A, const Vec& v) {
   return {dot(A.x, v), dot(A.y, v), dot(A.z, v)};
 }
@@ -109,8 +110,9 @@ inline Mat constant_matrix(const double* c) {
 }
 inline constexpr double kIdentity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// Three numbers in a row.
+/// Returns three consecutive numbers as a vector.
 inline Vec vector_at(const V* number) { return {number[0], number[1], number[2]}; }
+/// Adds a vector to three consecutive numbers.
 inline void add_vector(V* number, const Vec& v) {
   number[0] += v.x;
   number[1] += v.y;

@@ -5,7 +5,7 @@ namespace thenar::kernel {
 extern const SimdBackend kScalar, kSse2, kAvx2, kAvx512;
 
 const std::vector<SimdBackend>& simd_backends() {
-  // Asked of the processor once.
+  // Query the processor once.
   static const std::vector<SimdBackend> all = [] {
     std::vector<SimdBackend> fit;
 #if defined(__x86_64__)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The force model compiled for several processors, one of which is chosen at run time.
+/// Force model compiled for several processors, one of which is chosen at run time.
 
 #include <vector>
 
@@ -8,27 +8,29 @@
 
 namespace thenar::kernel {
 
-/// Announces whether run_adjoint() will follow. With kNo all postures use the same part of the
-/// tape, which then stays in the cache.
+/// Choice of the tape: kYes keeps it for run_adjoint(); with kNo all postures use the same part of
+/// it, which then stays in the cache.
 enum class KeepTape { kNo, kYes };
 
-/// One backend. Sizes are in registers of `lanes` doubles; memory is aligned to 64 bytes.
+/// Functions compiled for one processor. Sizes are in registers of `lanes` doubles; memory must be
+/// aligned to 64 bytes.
 struct SimdBackend {
   const char* name;
-  int lanes;                               // points at a time
-  long (*tape_length)(const Program&);     // tape of run() for run_adjoint() [registers]
-  long (*scratch_length)(const Program&);  // work space of either [registers]
+  int lanes;                            // number of points at a time
+  long (*tape_length)(const Program&);  // length of the tape of run() for run_adjoint() [registers]
+  long (*scratch_length)(const Program&);  // length of the scratch memory of either [registers]
 
-  /// Forces [N] of the first `count` of `lanes` points; the results of the other points are
-  /// dropped, so repeat a point there.
+  /// Evaluates the forces [N] of the first `count` of `lanes` points. Unused lanes must hold valid
+  /// points, e.g. repeated ones; their results are discarded.
   void (*run)(const Program&, const double* const* u, int count, double* tape, double* scratch,
               double* const* forces, KeepTape keep);
-  /// Adjoint: gradients from weights of the forces.
+  /// Evaluates the adjoint: gradients from weights of the forces.
   void (*run_adjoint)(const Program&, double* tape, const double* const* weights, int count,
                       double* scratch, double* const* gradient);
 };
 
-/// Backends that this processor can run, the widest first; the last takes points one by one.
+/// Returns the backends that this processor supports, widest first; the last evaluates single
+/// points.
 [[nodiscard]] const std::vector<SimdBackend>& simd_backends();
 
 }  // namespace thenar::kernel

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 4: loads of the hold, torque about each joint per unit load.
+/// Step 4: loads of the tip constraint: torque about each joint per unit load.
 
 #include "kinematics_fit/kernel/pose.h"
 #include "kinematics_fit/kernel/pseudo_inverse.h"
@@ -8,10 +8,11 @@
 namespace thenar::kernel {
 namespace {
 
-/// Torque about each joint per load (coordinates, loads): along a row, forces in two or three
-/// directions a_k of the tip,  ratio (axis x (tip - point)) . a_k,  and moments,  ratio length
-/// axis . a_k.
-inline void set_loads(const Program& program, const DigitParameters& digit, Posed& posed) {
+/// Computes the torque about each joint per load (coordinates, loads). The row of a joint holds
+/// forces in two or three directions a_k of the tip,  ratio (axis x (tip - point)) . a_k,  and
+/// moments,
+///   ratio length axis . a_k.
+inline void set_loads(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   // Position and directions of the tip in the posture.
   const int c = program.loads, forces = program.tip_forces;
   const V out = digit.number[program.out_of_plane];
@@ -19,7 +20,7 @@ inline void set_loads(const Program& program, const DigitParameters& digit, Pose
   const Mat a = *posed.axes = posed.R[program.tip_link] * constant_matrix(program.tip_axes);
   clear(posed.load, program.coordinates * c);
   for (const int i : program.tip_hinges) {
-    // Forces, then the moments that a rigid hold adds.
+    // Forces, then the moments that a rigid constraint adds.
     const double ratio = program.hinges[i].ratio;
     V* load = posed.load + program.hinges[i].coordinate * c;
     const Vec m = cross(posed.axis[i], tip - posed.point[i]);
@@ -34,17 +35,18 @@ inline void set_loads(const Program& program, const DigitParameters& digit, Pose
   }
 }
 
-/// Adjoint. Directions a_k turn with the tip's link; the moment on the link is  a_k x a_k_bar.
+/// Adjoint of set_loads(). Directions a_k rotate with the tip's link; the moment on it is  a_k x
+/// a_k_bar.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
-inline void adjoint_loads(const Program& program, const DigitParameters& digit, const Posed& posed,
-                          const V* load_bar, Posed& adjoint, Wrenches& on,
-                          DigitParameters& adjoint_digit) {
+inline void adjoint_loads(const Program& program, const DigitParameters& digit,
+                          const PosedDigit& posed, const V* load_bar, PosedDigit& adjoint,
+                          Wrenches& on, DigitParameters& adjoint_digit) {
   const int c = program.loads, forces = program.tip_forces, link = program.tip_link;
   const V out = digit.number[program.out_of_plane];
   const Mat& a = *posed.axes;
   Vec push = {V{}, V{}, V{}};
   for (const int i : program.tip_hinges) {
-    // Adjoints of the forces: of tip, axis and point, and of the turning tip.
+    // Adjoints of the forces: by tip, axis and point, and by the rotation of the tip.
     const double ratio = program.hinges[i].ratio;
     const V* g = load_bar + program.hinges[i].coordinate * c;
     const Vec axis = posed.axis[i], r = *posed.tip - posed.point[i];

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// Gives an experiment's plan its unit pulls.
+/// Adds unit pulls to an experiment's plan.
 class TaskPlanner {
  public:
   TaskPlanner(const TendonDigit& digit, const Experiment& experiment, ActivationPlan& out)
@@ -18,24 +18,24 @@ class TaskPlanner {
 
   [[nodiscard]] ActivationTask plan(const ActivationRow& row) {
     ActivationTask task{{}, row.force, force_sd(experiment_, row)};
-    // The posture by name.
+    // Find the posture by name.
     const std::vector<std::string>& postures = out_.plan.posture_names;
     const auto posture = std::find(postures.begin(), postures.end(), row.posture);
     require(posture != postures.end(), "activation row names posture '{}', which is not defined",
             row.posture);
     for (const auto& [name, activation] : row.activation) {
-      // A muscle that is surely silent adds nothing.
+      // Skip a muscle that is known to be inactive.
       const double sd = row.sd.at(name);
       if (activation == 0 && sd == 0) continue;
       const int muscle = find_muscle(name);
-      const double most = digit_.max_tension[muscle];
-      require(std::isfinite(most),
+      const double max_tension = digit_.max_tension[muscle];
+      require(std::isfinite(max_tension),
               "experiment '{}' states the activation of '{}', whose max_force the subject does not "
               "say",
               experiment_.name, name);
-      // Expected tension, and its variance.
+      // Add the expected tension, and its variance.
       task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
-                            most * activation, std::pow(most * sd, 2)});
+                            max_tension * activation, std::pow(max_tension * sd, 2)});
     }
     return task;
   }
@@ -49,14 +49,14 @@ class TaskPlanner {
     return static_cast<int>(found - names.begin());
   }
 
-  /// The column of a unit pull, made when it is first asked for.
+  /// Returns the column of a unit pull, which is added when it is first needed.
   int column(int posture, int muscle) {
-    // Known already?
+    // Return the column if it exists.
     ExperimentPlan& plan = out_.plan;
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(digit_.max_tension.size(), muscle);
     for (int i = out_.trials; i < static_cast<int>(plan.tension.size()); ++i)
       if (plan.posture_of_trial[i] == posture && plan.tension[i] == unit) return i;
-    // A further column of the plan, without a measured force.
+    // Add a column to the plan, without a measured force.
     plan.posture_of_trial.push_back(posture);
     plan.tension.push_back(unit);
     const auto columns = static_cast<Eigen::Index>(plan.tension.size());

@@ -15,22 +15,22 @@
 namespace thenar {
 namespace {
 
-// Slack of joint limits, which were measured on other hands [rad]
+// Tolerance on joint limits, which were measured on other hands [rad]
 constexpr double kLimitSlack = 5 * kDegree;
-// Largest tension over a muscle's largest force; no living muscle exceeds it [1]
-constexpr double kTooStrong = 2;
+// Largest plausible tension over a muscle's maximum force; no living muscle exceeds it [1]
+constexpr double kMaxStrengthRatio = 2;
 
 using Warnings = std::vector<std::string>;
 
 void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (std::size_t k = 0; k < plan.postures.size(); ++k) {
-    // Nearly straight: small errors of angles change the forces much.
+    // Warn of nearly straight postures, in which small angle errors change the forces much.
     if (plan.condition[k] > kNearlyStraight)
       warnings.push_back(
           fmt::format("posture '{}' is nearly singular (condition {:.3g}): its forces hang on "
                       "angles that nobody can measure well enough",
                       plan.posture_names[k], plan.condition[k]));
-    // Angles beyond the joint limits.
+    // Warn of angles beyond the joint limits.
     for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
       const CoordinateLimits& limits = digit.skeleton.limits[j];
       const double angle = plan.postures[k][j];
@@ -43,31 +43,32 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
   }
 }
 
-/// Postures in radians under a key that says degrees: all angles are tiny, and not all are 0.
+/// Warns of angles that may be in radians under a key in degrees: all are tiny, and not all are 0.
 void warn_of_angle_units(const Experiment& experiment, Warnings& warnings) {
   constexpr double kTinyAngle = 3.2 * kDegree;  // 180 degrees in radians, read as degrees [rad]
-  double most = 0;
+  double largest = 0;
   for (const PostureRecord& posture : experiment.postures)
-    for (const auto& [joint, angle] : posture.angles) most = std::max(most, std::abs(angle));
-  if (most > 0 && most < kTinyAngle)
+    for (const auto& [joint, angle] : posture.angles) largest = std::max(largest, std::abs(angle));
+  if (largest > 0 && largest < kTinyAngle)
     warnings.push_back(
         fmt::format("no joint is turned by more than {:.3g} degrees in any posture: are the angles "
                     "of the unit that their key names?",
-                    degrees(most)));
+                    degrees(largest)));
 }
 
 void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
-    // Largest tension of the muscle over all trials.
-    double most = 0;
-    for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
-    if (most > kTooStrong * digit.max_tension[m])
+    // Find the largest tension of the muscle over all trials.
+    double largest = 0;
+    for (const Eigen::VectorXd& tension : plan.tension) largest = std::max(largest, tension[m]);
+    if (largest > kMaxStrengthRatio * digit.max_tension[m])
       warnings.push_back(fmt::format("{} was pulled with {:.1f} N, but can make {:.1f} N",
-                                     digit.names.muscles[m], most, digit.max_tension[m]));
+                                     digit.names.muscles[m], largest, digit.max_tension[m]));
   }
 }
 
-/// Two forces of a pinned tip cannot balance the torques of more joints in their plane.
+/// Warns of a pinned tip whose two forces cannot balance the torques of more than two joints in a
+/// plane.
 void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   const int joints = digit.model.coordinates;
   if (plan.hold != TipConstraint::kPinned || plan.known != DecidedForces::kInPlane || joints <= 2)
@@ -79,16 +80,16 @@ void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings
       joints));
 }
 
-/// Forces on a segment that few joints move are not decided by torques alone.
+/// Warns of forces on segments that few joints move, which torques alone do not determine.
 void warn_of_sites(const ExperimentPlan& plan, const Experiment& experiment, Warnings& warnings) {
   const int loads = (plan.known == DecidedForces::kInPlane ? 2 : 3) +
                     (plan.hold == TipConstraint::kRigid ? 1 : 0);
-  std::vector<bool> told(plan.sites.size(), false);
+  std::vector<bool> warned(plan.sites.size(), false);
   for (std::size_t i = 0; i < plan.site_of_trial.size(); ++i) {
-    // Each site once, and no mount.
+    // Check each site once, except mounts.
     const auto at = static_cast<std::size_t>(plan.site_of_trial[i]);
-    if (plan.site_of_trial[i] < 0 || told[at]) continue;
-    told[at] = true;
+    if (plan.site_of_trial[i] < 0 || warned[at]) continue;
+    warned[at] = true;
     const PlannedSite& site = plan.sites[at];
     if (site.link >= 0 && static_cast<int>(site.balanced.size()) < loads)
       warnings.push_back(fmt::format(
@@ -100,7 +101,7 @@ void warn_of_sites(const ExperimentPlan& plan, const Experiment& experiment, War
 
 void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
                          Warnings& warnings) {
-  // Calibrations that used this specimen.
+  // List the calibrations that used this specimen.
   std::string names;
   for (const CalibratedOn& on : digit.calibrated_on)
     if (has_seen({on}, experiment))
@@ -117,7 +118,7 @@ void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
 
 std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
                                              const Experiment& experiment) {
-  // Postures, tensions, hold and calibration.
+  // Check postures, tensions, constraint and calibration.
   Warnings warnings;
   warn_of_angle_units(experiment, warnings);
   warn_of_postures(digit, plan, warnings);
@@ -126,14 +127,14 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
   warn_of_sites(plan, experiment, warnings);
   warn_of_calibration(digit, experiment, warnings);
 
-  // Data that no fit uses.
+  // Warn of data that the fit does not use.
   const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
                                      [](const Trial& trial) { return trial.moment.has_value(); });
   if (moments > 0)
     warnings.push_back(
         fmt::format("{} measured moments are not fitted, only the forces are", moments));
 
-  // All name their experiment.
+  // Prefix each warning with its experiment.
   for (std::string& warning : warnings)
     warning = fmt::format("experiment '{}': {}", experiment.name, warning);
   return warnings;
@@ -141,11 +142,12 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
 
 namespace {
 
-// Condition number from which no decimal of a force is right [1]
+// Condition number above which no digit of a force is right [1]
 constexpr double kSingularCondition = 1e12;
-// Largest angle of axes with the normal of their plane [rad]
+// Largest angle between an axis and the normal of its plane [rad]
 constexpr double kNormalAngle = 15 * kDegree;
-constexpr double kNoAngle = 1e-6;  // Largest angle of axes that are parallel up to rounding [rad]
+constexpr double kNoAngle =
+    1e-6;  // largest angle between axes that are parallel up to rounding [rad]
 
 /// Returns whether all axes between the tip and the base are normal to the plane of flexion, to
 /// within `angle` [rad].
@@ -158,7 +160,7 @@ bool all_flex(const TendonModel<double>& digit, double angle) {
   return all;
 }
 
-/// Describes why no force follows in a singular posture, and a remedy.
+/// Describes why a singular posture does not determine the forces, and a remedy.
 std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& plan) {
   if (plan.known == DecidedForces::kInPlane)
     return "the held tip carries forces in the plane of flexion that no joint feels; leave it out";
@@ -169,7 +171,7 @@ std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& pl
 }
 
 Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
-  // Muscles that a trial does not name are slack.
+  // Set the stated tensions; muscles that a trial does not name are slack.
   const std::vector<std::string>& names = digit.names.muscles;
   Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
   for (const auto& [muscle, tension] : trial.tension) {
@@ -196,8 +198,8 @@ int link_named(const TendonDigit& digit, const Experiment& experiment, const std
   return link->second;
 }
 
-/// Point a part of the way along the bone of a link, from the point of its own joint to that of the
-/// next one outwards, or to the tip [m] (3).
+/// Returns the point at a fraction of the bone of a link, which extends from the point of its own
+/// joint to that of the next one, or to the tip [m] (3).
 Eigen::Vector3d along_bone(const TendonModel<double>& digit, int link, double fraction) {
   Eigen::Vector3d end = digit.tip;
   for_each_hinge_to_base(digit.tree, digit.tip_link, [&](int i) {
@@ -207,14 +209,15 @@ Eigen::Vector3d along_bone(const TendonModel<double>& digit, int link, double fr
   return digit.tree[link].point + fraction * (end - digit.tree[link].point);
 }
 
-/// The place on the held segment, at the reference posture [m] (3).
+/// Returns the place on the constrained segment, at the reference posture [m] (3).
 Eigen::Vector3d held_point(const TendonModel<double>& digit, const ForceSite& site, int link) {
   if (site.point) return *site.point;
   if (!site.fraction && link == digit.tip_link) return digit.tip;
   return along_bone(digit, link, site.fraction.value_or(0.5));
 }
 
-/// A site with its segments resolved; the mount of a digit, or a segment between base and tip.
+/// Resolves the segments of a site, which is the mount of a digit or a segment between base and
+/// tip.
 PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
                       const ForceSite& site) {
   const TendonModel<double>& model = digit.model;
@@ -224,7 +227,7 @@ PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
                    site.leave,
                    {}};
   if (plan.link < 0) {
-    // A mount: which way the tendons leave must be known.
+    // Check that a mount's force can be computed from the directions in which all tendons leave.
     require(!site.point && !site.fraction,
             "experiment '{}': '{}' is the mount, whose force has no place 'at_mm' or 'at_fraction'",
             experiment.name, site.at);
@@ -236,7 +239,7 @@ PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
     return plan;
   }
   plan.point = held_point(model, site, plan.link);
-  // Coordinates that move the segment.
+  // List the coordinates that move the segment.
   std::vector<bool> moves(static_cast<std::size_t>(model.coordinates), false);
   for_each_hinge_to_base(model.tree, plan.link,
                          [&](int i) { moves[model.tree[i].coordinate] = true; });
@@ -245,7 +248,7 @@ PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
   return plan;
 }
 
-/// Index of a trial's site in the plan, which gets it if it is new; -1: the tip.
+/// Returns the index of a trial's site in the plan, and adds it if it is new; -1 for the tip.
 int site_index(const TendonDigit& digit, const Experiment& experiment, std::size_t trial,
                ExperimentPlan& plan) {
   const std::optional<ForceSite>& site = experiment.trials[trial].site;
@@ -260,7 +263,8 @@ int site_index(const TendonDigit& digit, const Experiment& experiment, std::size
   return static_cast<int>(plan.sites.size()) - 1;
 }
 
-/// Returns whether the tip is held in a posture, as it is by default and while a mount is measured.
+/// Returns whether the tip is constrained in a posture, as by default and while a mount is
+/// measured.
 bool holds_tip(const ExperimentPlan& plan, int posture) {
   bool any = false;
   for (std::size_t i = 0; i < plan.posture_of_trial.size(); ++i) {
@@ -277,15 +281,15 @@ double condition_of(const Eigen::MatrixXd& loads) {
   return sigma[0] / sigma[sigma.size() - 1];
 }
 
-/// Condition of the loads of every posture, the worst of all that is held in it, with all
+/// Returns the largest condition number of the constraint loads in each posture, with all
 /// parameters at their prior means.
 std::vector<double> conditions(const TendonDigit& digit, const FitParameters& parameters,
                                const ExperimentPlan& plan) {
-  // The digit at the prior means.
+  // Build the digit at the prior means.
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
-  // Ratio of the extreme singular values of the loads in each posture.
+  // Compute the ratio of the extreme singular values of the loads in each posture.
   std::vector<double> conditions;
   for (std::size_t k = 0; k < plan.postures.size(); ++k) {
     const TreeState<double> state =
@@ -311,12 +315,12 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
 
 ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
                                const Experiment& experiment) {
-  // Does the experiment fit the digit?
+  // Check that the experiment is of this digit.
   const std::string& built = digit.skeleton.tips.front().digit;
   require(experiment.digit == built, "experiment '{}' is of the {}, but the digit built is the {}",
           experiment.name, experiment.digit, built);
 
-  // How the tip is held, and in which axes forces are stated.
+  // Set the tip constraint, and the axes of the forces.
   ExperimentPlan plan;
   plan.hold = experiment.hold;
   plan.force_link = link_named(digit, experiment, experiment.force_segment);
@@ -325,7 +329,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   if (plan.measured == 2 && all_flex(digit.model, kNormalAngle))
     plan.known = DecidedForces::kInPlane;
 
-  // Postures, and the angle errors that belong to them.
+  // Resolve the postures, and their keys among the parameters.
   for (const PostureRecord& record : experiment.postures) {
     plan.postures.push_back(posture(digit.skeleton, record.angles));
     plan.posture_names.push_back(record.name);
@@ -334,21 +338,21 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
   }
 
-  // Trials: posture, place of the load cell and tensions.
+  // Resolve posture, site and tensions of each trial.
   for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
     plan.posture_of_trial.push_back(posture_index(plan, experiment.trials[i].posture));
     plan.site_of_trial.push_back(site_index(digit, experiment, i, plan));
     plan.tension.push_back(tensions(digit, experiment.trials[i]));
   }
 
-  // No force follows from the tendons' torques in a singular posture.
+  // Reject singular postures, in which torques do not determine the forces.
   plan.condition = conditions(digit, parameters, plan);
   for (std::size_t k = 0; k < plan.postures.size(); ++k)
     require(plan.condition[k] < kSingularCondition,
             "posture '{}' of experiment '{}' is singular: {}", plan.posture_names[k],
             experiment.name, singular_in_words(digit, plan));
 
-  // Measured force, and its sd with that of what the model misses.
+  // Set the measured forces, and their sds with the model error included.
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
   plan.sd.resize(3, plan.force.cols());
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {

@@ -11,17 +11,18 @@
 namespace thenar {
 namespace {
 
-/// State of every parameter while rules are applied.
+/// Choice of the state of a parameter while rules are applied.
 struct Choice {
   ParameterState state = ParameterState::kFixed;
   std::string tie_to;
   double tie_ratio = 1;
-  bool optional = false;  // tied to nothing, the parameter is free by its own sds
+  bool optional =
+      false;  // true if the parameter becomes free by its own sds when its leader is missing
 };
 
-/// A rule in mm cannot speak of angles.
+/// Checks that a rule has the dimension of a parameter. @throws InputError if it differs.
 void require_dimension(const ParameterRule& rule, const std::string& file, const Parameter& p) {
-  // A row without numbers has no dimension.
+  // Accept a row without numbers, which has no dimension.
   const bool numbers =
       rule.mean || rule.sd || rule.between_sd || rule.range || rule.lower || rule.upper;
   const std::string unit = display_unit(p);
@@ -33,14 +34,14 @@ void require_dimension(const ParameterRule& rule, const std::string& file, const
 }
 
 void apply_belief(const ParameterRule& rule, Parameter& p) {
-  // A new mean takes its bounds along.
+  // Shift the bounds with a new mean.
   const double range_low = p.mean - p.lower, range_high = p.upper - p.mean;
   if (rule.mean) {
     p.mean = *rule.mean;
     p.lower = p.mean - range_low;
     p.upper = p.mean + range_high;
   }
-  // Sds, and bounds relative to the mean or absolute.
+  // Set sds, and bounds, relative to the mean or absolute.
   if (rule.sd) p.sd = *rule.sd;
   if (rule.between_sd) p.between_sd = *rule.between_sd;
   p.sd *= rule.sd_factor;
@@ -59,7 +60,7 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
                 std::vector<Choice>& choices) {
   bool matched = false;
   for (std::size_t p = 0; p < all.size(); ++p) {
-    // Later rules override earlier ones.
+    // Apply the rule to all parameters that match; later rules override earlier ones.
     if (!matches_glob(rule.match, all[p].name)) continue;
     if (rule.nonzero && all[p].mean == 0) continue;
     matched = true;
@@ -67,13 +68,14 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
     apply_belief(rule, all[p]);
     if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
   }
+  // Reject a rule that matches nothing.
   const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
   require_field(rule.line > 0 ? "" : "free", matched || rule.optional,
                 "{}: no parameter matches '{}'; list them with `thenar explain`", where,
                 rule.match);
 }
 
-/// Rules of what is chosen, one for each glob; those that match nothing are no error.
+/// Returns the rules of a choice, one for each glob; those without a match are no error.
 std::vector<ParameterRule> rules_of(const SettingChoice& choice) {
   std::vector<ParameterRule> rules;
   for (const std::string& glob : choice.match) {
@@ -91,7 +93,7 @@ std::vector<ParameterRule> rules_of(const SettingChoice& choice) {
   return rules;
 }
 
-/// Notes which scale each parameter belongs to, the last that matches, and puts factors in force.
+/// Records the scale of each parameter, the last that matches, and applies the factors.
 void apply_scales(const std::vector<PriorScale>& scales, FitParameters& fit) {
   fit.scale.assign(fit.all.size(), -1);
   std::vector<double> factors;
@@ -106,7 +108,7 @@ void apply_scales(const std::vector<PriorScale>& scales, FitParameters& fit) {
   fit = with_scale_factors(std::move(fit), factors);
 }
 
-/// A leader must not carry those tied to it beyond their own bounds.
+/// Narrows the bounds of a leader, so that tied parameters stay within their own.
 void bound_leader(const Parameter& tied, double ratio, Parameter& leader) {
   if (ratio == 0) return;
   const double a = leader.mean + (tied.lower - tied.mean) / ratio;
@@ -115,7 +117,8 @@ void bound_leader(const Parameter& tied, double ratio, Parameter& leader) {
   leader.upper = std::min(leader.upper, std::max(a, b));
 }
 
-/// Forces are even in the weight of out-of-plane moments: from zero no fit can move it.
+/// Checks that no weight of out-of-plane moments is free at zero: forces are even in it, so that no
+/// fit can move it from there. @throws InputError
 void require_movable(const FitParameters& fit) {
   for (std::size_t p = 0; p < fit.all.size(); ++p)
     require(fit.all[p].kind != ParameterKind::kOutOfPlane || fit.coordinate[p] < 0 ||
@@ -124,7 +127,8 @@ void require_movable(const FitParameters& fit) {
             fit.all[p].name);
 }
 
-/// Bands of a net are laid for the subject's bones, and would not grow with them.
+/// Checks that no bone length is free with a net, whose bands would not grow with the bones.
+/// @throws InputError
 void require_laid(const TendonDigit& digit, const FitParameters& fit) {
   for (std::size_t p = 0; p < fit.all.size(); ++p)
     require(!digit.net || fit.all[p].kind != ParameterKind::kLength || fit.coordinate[p] < 0,
@@ -132,8 +136,8 @@ void require_laid(const TendonDigit& digit, const FitParameters& fit) {
             fit.all[p].name);
 }
 
-/// Frees what may be tied to a parameter that is not there, as friction of FDS where the subject
-/// has no FDP: fixed at a belief of which nobody hears, it would be made up for by others.
+/// Frees optional tied parameters whose leader does not exist, such as friction of FDS where the
+/// subject has no FDP. If fixed, their error would be absorbed by other parameters without notice.
 void free_without_leader(const FitParameters& fit, std::vector<Choice>& choices) {
   for (Choice& choice : choices) {
     if (choice.state != ParameterState::kTied || !choice.optional) continue;
@@ -143,18 +147,18 @@ void free_without_leader(const FitParameters& fit, std::vector<Choice>& choices)
   }
 }
 
-/// Gives coordinates to free parameters first, then points the tied ones at theirs.
+/// Numbers the coordinates of free parameters, then assigns tied ones to theirs.
 void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
-  // Free parameters lead a coordinate each.
+  // Give each free parameter a coordinate, which it leads.
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
-    // Without any prior variance a parameter cannot move.
+    // Skip a parameter without prior variance, which cannot move.
     const bool moves = fit.all[p].sd > 0 || fit.all[p].between_sd > 0;
     if (choices[p].state != ParameterState::kFree || !moves) continue;
     fit.coordinate[p] = fit.coordinates();
     fit.leader.push_back(static_cast<int>(p));
   }
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
-    // Tied parameters follow their leader, and narrow its bounds.
+    // Assign tied parameters to the coordinates of their leaders, and narrow these leaders' bounds.
     if (choices[p].state != ParameterState::kTied) continue;
     const auto leader = std::find_if(fit.leader.begin(), fit.leader.end(),
                                      [&](int q) { return fit.all[q].name == choices[p].tie_to; });
@@ -172,7 +176,7 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
 FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std::string>& postures,
                                 const FitSettings& settings,
                                 const std::vector<std::string>& also_free) {
-  // Rules of the file and what is chosen, then the globs of the command line.
+  // Apply the rules of the file and of its choices, then the globs of the caller.
   FitParameters fit;
   fit.postures = postures;
   fit.misfit = settings.misfit;
@@ -191,7 +195,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
     apply_rule(rule, "to be free", all, choices);
   }
 
-  // Coordinates of what is free or tied; all others stay fixed.
+  // Number the coordinates of parameters that are free or tied; all others stay fixed.
   fit.coordinate.assign(all.size(), -1);
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);
@@ -228,8 +232,8 @@ FitParameters with_fitted_tensions(FitParameters parameters,
 
 double missed_force_sd(const FitParameters& parameters,
                        const std::map<std::string, double>& tension) {
-  // All tensions together, and what each muscle's load is away from those that were fitted.
-  double sum = 0, unlike = 0;
+  // Sum all tensions, and the distances of each muscle's load from the fitted ones.
+  double sum = 0, squared_excess = 0;
   int pulling = 0;
   for (const auto& [muscle, t] : tension) {
     if (t <= 0) continue;
@@ -237,13 +241,15 @@ double missed_force_sd(const FitParameters& parameters,
     ++pulling;
     const auto fitted = parameters.fitted_tension.find(muscle);
     if (fitted == parameters.fitted_tension.end()) continue;
-    double apart = std::numeric_limits<double>::infinity();  // from the nearest, as a logarithm
-    for (const double b : fitted->second) apart = std::min(apart, std::abs(std::log(t / b)));
-    unlike += std::pow(t * apart, 2);
+    double log_distance =
+        std::numeric_limits<double>::infinity();  // log distance from the nearest fitted tension
+    for (const double b : fitted->second)
+      log_distance = std::min(log_distance, std::abs(std::log(t / b)));
+    squared_excess += std::pow(t * log_distance, 2);
   }
   const double superposition = pulling > 1 ? parameters.superposition : 0;
   return std::hypot(sum * std::hypot(parameters.misfit, superposition),
-                    parameters.linearity * std::sqrt(unlike));
+                    parameters.linearity * std::sqrt(squared_excess));
 }
 
 std::vector<double> values_with(const FitParameters& parameters, const std::vector<int>& moving,
@@ -258,7 +264,7 @@ std::vector<double> values_with(const FitParameters& parameters, const std::vect
 }
 
 std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters) {
-  // How many there are of each kind, and whether one of them moves.
+  // Count moment arms and tendon points, and check whether any of them moves.
   int arms = 0, points = 0;
   bool arms_move = false, points_move = false;
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
@@ -268,10 +274,12 @@ std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters
       arms += parameter.mean != 0 ? 1 : 0;
       arms_move = arms_move || moves;
     } else if (parameter.kind == ParameterKind::kPathPoint) {
-      points += parameter.component == 0 ? 1 : 0;  // of three coordinates
+      points +=
+          parameter.component == 0 ? 1 : 0;  // count each point once, not its three coordinates
       points_move = points_move || moves;
     }
   }
+  // Warn of a kind that is present but fixed.
   std::vector<std::string> warnings;
   const auto warn = [&](int count, const char* what, const char* glob) {
     warnings.push_back(

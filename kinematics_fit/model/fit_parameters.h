@@ -15,48 +15,49 @@
 
 namespace thenar {
 
-/// Two hinges and the wanted distance between their axes.
+/// Two hinges and the allowed distance between their axes.
 struct AxisPair {
-  int first, second;    // hinges
+  int first, second;    // indices of the hinges
   double lower, upper;  // [m]
 };
 
 /// Prior scale that several parameters share: see PriorScale.
 struct ScaledPriors {
   std::string name;
-  double likeliest;   // factor beforehand [1]
-  double spread;      // sd of the logarithm of the factor about it; infinite: all alike [1]
-  double largest;     // bound of the factor [1]
-  double factor = 1;  // in force, in the sds of its parameters [1]
+  double likeliest;   // prior median of the factor [1]
+  double spread;      // prior sd of the logarithm of the factor; infinite: uniform [1]
+  double largest;     // upper bound of the factor [1]
+  double factor = 1;  // current factor, included in the sds of its parameters [1]
 };
 
-/// A choice of free, fixed and tied parameters. A free parameter p has the value
+/// Choice of free, fixed and tied parameters. A free parameter p has the value
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
-/// with standard normal z beforehand. Tied parameters share the u of their leader, whose bounds are
+/// with standard normal priors of z. Tied parameters share the u of their leader, whose bounds are
 /// narrowed so that all parameters stay within their own bounds.
 struct FitParameters {
-  std::vector<Parameter> all;         // in the order of list_parameters()
-  std::vector<std::string> postures;  // whose angles may be in error one by one
-  std::vector<int> coordinate;        // of each parameter; -1: fixed
-  std::vector<double> ratio;          // of each parameter to its coordinate [1]
-  std::vector<int> leader;            // parameter that owns each coordinate
+  std::vector<Parameter> all;         // parameters in the order of list_parameters()
+  std::vector<std::string> postures;  // names of postures with their own angle errors
+  std::vector<int> coordinate;        // coordinate of each parameter; -1: fixed
+  std::vector<double> ratio;          // ratio of each parameter to its coordinate [1]
+  std::vector<int> leader;            // index of the parameter that leads each coordinate
   std::vector<ScaledPriors> scales;   // groups of parameters, see fit_with_scales()
-  std::vector<int> scale;             // of each parameter, in `scales`; -1: none
-  double misfit = 0;                  // sd of what the model misses of each component of a force,
-                                      // in every trial anew, per newton of tension [1]
-  double superposition = 0;           // the same of trials under several loads alone [1]
-  double linearity = 0;               // sd by which the force of a muscle per newton of tension
-                                      // changes where its load is e times a fitted one [1]
-  std::map<std::string, std::set<double>> fitted_tension;  // of every muscle that pulls in a fitted
-                                                           // trial [N]
+  std::vector<int> scale;             // index in `scales` of each parameter; -1: none
+  double misfit = 0;  // sd of the model error of each force component, independent in every trial,
+                      // per newton of tension [1]
+  double superposition = 0;  // sd of the additional model error of trials with several loads, per
+                             // newton of tension [1]
+  double linearity = 0;  // sd by which a muscle's force per newton of tension changes if its load
+                         // is e times a fitted one [1]
+  std::map<std::string, std::set<double>>
+      fitted_tension;  // tensions of every muscle in the fitted trials in which it pulls [N]
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };
 
-/// Applies the rules of a settings file, then frees everything that matches `also_free`.
-/// @throws InputError if a rule matches no parameter, ties to one that is not free, or frees
-/// hold/out_of_plane at mean zero, where forces are even in it, or the length of a bone under a
-/// net.
+/// Applies the rules of a settings file, then frees all parameters that match `also_free`.
+/// @throws InputError if a rule matches no parameter, ties to one that is not free, or frees the
+/// length of a bone under a net, or hold/out_of_plane at mean zero, where forces are an even
+/// function of it.
 [[nodiscard]] FitParameters choose_parameters(const TendonDigit& digit,
                                               const std::vector<std::string>& postures,
                                               const FitSettings& settings,
@@ -66,34 +67,34 @@ struct FitParameters {
 [[nodiscard]] FitParameters with_scale_factors(FitParameters parameters,
                                                const std::vector<double>& factors);
 
-/// Returns the parameters with the tensions that each muscle has in trials of these experiments in
+/// Returns the parameters with the tensions of each muscle in the trials of these experiments in
 /// which it pulls.
 [[nodiscard]] FitParameters with_fitted_tensions(FitParameters parameters,
                                                  const std::vector<Experiment>& experiments);
 
-/// Sd of each component of a force by what the model misses under these tensions [N]: with T their
+/// Returns the sd of the model error of each force component under these tensions [N]: with T their
 /// sum and b the fitted tension of a muscle that is nearest to its tension t by ratio,
-///   sd^2 = (misfit T)^2 + (superposition T)^2 + sum over muscles of (linearity t ln(t / b))^2,
-/// the second where several muscles pull, the third of muscles that pull in a fitted trial: of
-/// others nothing was learnt that could be out of proportion.
-/// @param tension  muscle -> tendon tension [N]
+///   sd^2 = (misfit T)^2 + (superposition T)^2 + sum over muscles of (linearity t ln(t / b))^2.
+/// The second term applies if several muscles pull, the third to muscles that pull in a fitted
+/// trial: nothing was learnt about the others that could be nonlinear.
+/// @param tension  tendon tension of each muscle [N]
 [[nodiscard]] double missed_force_sd(const FitParameters& parameters,
                                      const std::map<std::string, double>& tension);
 
-/// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
-/// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes
-/// into parameters that may.
+/// Returns a warning about moment arms, and another about tendon points, if the digit has some
+/// (arms of zero do not count) and none of them may move: errors of the tendons' geometry are then
+/// absorbed by other parameters.
 [[nodiscard]] std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters);
 
-/// Value of every parameter where only some move: those as given, all others at their mean [SI]
+/// Returns the value of every parameter if only some move and all others are at their mean [SI]
 /// (all).
 /// @param moving  indices in `all`
-/// @param values  of them [SI] (moving)
+/// @param values  values of the moving parameters [SI] (moving)
 [[nodiscard]] std::vector<double> values_with(const FitParameters& parameters,
                                               const std::vector<int>& moving,
                                               const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// Value of every parameter for coordinates u  [SI] (all).
+/// Returns the value of every parameter for coordinates u  [SI] (all).
 template <typename T, typename U>
 [[nodiscard]] std::vector<T> parameter_values(const FitParameters& parameters, const U& u) {
   std::vector<T> values;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces of a digit on a load cell that does not hold its tip, on any scalar.
+/// Forces of a digit on a load cell that does not hold its tip, for any scalar type.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// The digit as if the place of the load cell were its tip.
+/// Returns the digit with the place of the load cell as its tip.
 template <typename T>
 [[nodiscard]] TendonModel<T> held_elsewhere(TendonModel<T> digit, const PlannedSite& site) {
   digit.tip_link = site.link;
@@ -18,7 +18,7 @@ template <typename T>
   return digit;
 }
 
-/// The rows of a matrix that the coordinates of a site have.
+/// Returns the rows of a matrix that belong to the coordinates of a site.
 template <typename T>
 [[nodiscard]] MatrixX<T> balanced_rows(const MatrixX<T>& matrix, const PlannedSite& site) {
   MatrixX<T> rows(site.balanced.size(), matrix.cols());
@@ -27,8 +27,8 @@ template <typename T>
   return rows;
 }
 
-/// Torque per load of a cell that holds a segment, as tip_constraint_loads(), about the joints that
-/// move the segment [m/rad] (balanced, loads).
+/// Returns the torque per load of a cell that holds a segment, as tip_constraint_loads(), about the
+/// joints that move the segment [m/rad] (balanced, loads).
 template <typename T>
 [[nodiscard]] MatrixX<T> segment_loads(const TendonModel<T>& digit, const PlannedSite& site,
                                        const TreeState<T>& state, TipConstraint hold,
@@ -37,14 +37,14 @@ template <typename T>
       tip_constraint_loads(held_elsewhere(digit, site), state, hold, known, T(0)), site);
 }
 
-/// Force per unit tension on a cell that holds a segment between the base and the tip, along that
-/// segment's proximal, dorsal and radial directions [1] (3, muscles).
+/// Returns the force per unit tension on a cell that holds a segment between the base and the tip,
+/// along that segment's proximal, dorsal and radial directions [1] (3, muscles).
 ///
 /// Only the joints between the base and the held segment load the cell:  loads c = R' t  in their
-/// rows, as in tip_force_map(). Torque about the joints beyond it does not reach the cell: joint
-/// limits, a splint or the hand that holds the rest of the finger bear it. Where fewer joints than
-/// loads are left, forces of least norm are told: what bones and cell share is not decided by
-/// torques.
+/// rows, as in tip_force_map(). Torque about the distal joints does not reach the cell: joint
+/// limits, a splint or the hand that holds the rest of the finger balance it. If there are fewer
+/// joints than loads, the forces have minimum norm, because torques do not determine how bones and
+/// cell share the load.
 template <typename T>
 [[nodiscard]] MatrixX<T> segment_force_map(const TendonModel<T>& digit, const PlannedSite& site,
                                            const TreeState<T>& state, const VectorX<T>& q,
@@ -55,15 +55,15 @@ template <typename T>
   return forces_of_hold(L, torque, known);
 }
 
-/// Pull on the digit and its mount of every muscle's tendon per unit tension, where the tendon
-/// leaves them: a unit vector along its run, or along the bone [1] (3, muscles), in the axes of the
-/// base. Tendons that end on the digit pull nothing.
+/// Returns the pull of every muscle's tendon on the digit and its mount per unit tension, where the
+/// tendon leaves them: a unit vector along its run, or along the bone [1] (3, muscles), in the axes
+/// of the base. Tendons that end on the digit pull nothing.
 template <typename T>
 [[nodiscard]] MatrixX<T> leaving_pulls(const TendonModel<T>& digit, const TreeState<T>& state,
                                        TendonExit leave) {
   MatrixX<T> pulls = MatrixX<T>::Zero(3, static_cast<Eigen::Index>(digit.pulls.size()));
   for (std::size_t m = 0; m < digit.pulls.size(); ++m) {
-    // The run that crosses to the base last.
+    // Find the most proximal run between the base and a moving link.
     const TendonPath<T>& path = digit.paths[digit.pulls[m]];
     std::size_t k = path.size();
     while (k > 1 && (path[k - 1].link < 0) == (path[k - 2].link < 0)) --k;
@@ -78,14 +78,15 @@ template <typename T>
   return pulls;
 }
 
-/// Force of the digit on its mount per stated tension, while its tip is held [1] (3, muscles).
+/// Returns the force of the digit on its mount per stated tension, while its tip is held [1] (3,
+/// muscles).
 ///
-/// Free body: digit and mount together. The tendons pull it where they leave, the tip's cell
-/// pushes it with -f, and the mount's cell with -f_mount:
+/// Free body: digit and mount together. Tendons pull on it where they leave, the tip's cell pushes
+/// it with -f, and the mount's cell with -f_mount:
 ///
 ///   f_mount = sum t u - f.
 ///
-/// @param tip_force  of the tip on its cell per stated tension, axes of the base (3, muscles)
+/// @param tip_force  force of the tip on its cell per stated tension, axes of the base (3, muscles)
 template <typename T>
 [[nodiscard]] MatrixX<T> mount_force_map(const SpecimenModel<T>& model, const PlannedSite& site,
                                          const TreeState<T>& state, const MatrixX<T>& tip_force) {

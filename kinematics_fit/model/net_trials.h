@@ -11,36 +11,36 @@
 
 namespace thenar {
 
-/// The net at rest in one trial.
+/// Equilibrium of the net in one trial.
 struct NetTrial {
-  TreeState<double> state;  // links
+  TreeState<double> state;  // pose of the links
   NetDrive drive;
   NetEquilibrium rest;
-  Eigen::VectorXd tau;  // of the net about the joints [N m] (coordinates)
+  Eigen::VectorXd tau;  // torque of the net about the joints [N m] (coordinates)
 };
 
-/// A specimen's net, and its rest in every trial in which muscles pull it.
+/// Net of a specimen, and its equilibrium in every trial in which muscles pull it.
 struct NetTrials {
   Net net;
-  std::vector<std::optional<NetTrial>> trials;
+  std::vector<std::optional<NetTrial>> trials;  // empty where no muscle pulls the net
 };
 
-/// Rest of the net in every trial, found from plan.net_start; where that ends without balance, from
-/// where the links carry the nodes.
+/// Finds the equilibrium of the net in every trial, starting from plan.net_start; if that fails,
+/// from the positions of the nodes on their links.
 [[nodiscard]] NetTrials net_trials(const SpecimenModel<double>& model, const ExperimentPlan& plan);
 
-/// ExperimentPlan::net_start.
+/// Computes ExperimentPlan::net_start.
 [[nodiscard]] std::vector<Eigen::Matrix3Xd> net_starts(const TendonDigit& digit,
                                                        const FitParameters& parameters,
                                                        const ExperimentPlan& plan);
 
-/// The digit with a specimen's numbers; muscles of its net share among their pulls as at
-/// kHoodAngle.
+/// Returns the digit with a specimen's numbers; muscles of its net divide their tension among their
+/// pulls as at kHoodAngle.
 [[nodiscard]] TendonDigit specimen_digit(const TendonDigit& digit,
                                          const SpecimenModel<double>& model);
 
-/// Trials in which the net is not to be trusted, with the reason: it is not at rest
-/// (net_warning()), or comes to rest with another torque by way of the straight finger.
+/// Returns the trials in which the net is unreliable, with the reason: it is not in equilibrium
+/// (net_warning()), or reaches an equilibrium with another torque by way of the straight finger.
 [[nodiscard]] std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
                                                           const FitParameters& parameters,
                                                           const ExperimentPlan& plan,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
 
-/// Unit of a kind in tables, and its default belief: sd of the population, sd between specimens,
-/// half range of bounds.
+/// Unit of a kind in tables, and its default prior: sd of the population, sd between specimens, and
+/// half the range of the bounds.
 struct KindRow {
   ParameterKind kind;
   const char* unit;
@@ -52,7 +52,7 @@ const KindRow& row_of(ParameterKind kind) {
                        [&](const KindRow& row) { return row.kind == kind; });
 }
 
-/// Collects parameters with the default belief of their kind.
+/// Lists parameters with the default prior of their kind.
 class Lister {
  public:
   Lister(const TendonDigit& digit, const std::vector<std::string>& postures)
@@ -63,7 +63,7 @@ class Lister {
     if (digit.net) list_net(*digit.net);
     list_mounting();
   }
-  std::vector<Parameter> take() { return std::move(list_); }
+  std::vector<Parameter> parameters() { return std::move(list_); }
 
  private:
   void add(std::string name, ParameterKind kind, int item, int point, int component,
@@ -76,7 +76,7 @@ class Lister {
   void list_axes() {
     constexpr const char* kAlong[] = {"1", "2", "along"};
     for (int i = 0; i < static_cast<int>(digit_.names.hinges.size()); ++i) {
-      // Two tilts, two shifts and one along the axis, and the bone beyond it.
+      // Add two tilts, two shifts and one along the axis, and the length of the bone beyond it.
       const std::string& joint = digit_.names.hinges[i];
       for (int c = 0; c < 2; ++c)
         add(fmt::format("axis/{}/direction/{}", joint, c + 1), ParameterKind::kAxisDirection, i, 0,
@@ -89,7 +89,7 @@ class Lister {
 
   void list_strands() {
     for (int s = 0; s < static_cast<int>(digit_.names.strands.size()); ++s) {
-      // Friction of the sheath, then points of the path, or moment arms if it has none.
+      // Add friction of the sheath, then points of the path, or moment arms if there is no path.
       const std::string& strand = digit_.names.strands[s];
       add(fmt::format("friction/{}", strand), ParameterKind::kFriction, s, 0, 0,
           digit_.model.friction[s]);
@@ -106,7 +106,7 @@ class Lister {
 
   void list_hood() {
     for (int b = 0; b < static_cast<int>(digit_.model.hood_shares.size()); ++b) {
-      // Fractions of each muscle's tension in the hood.
+      // Add the fractions of each muscle's tension in the hood.
       const std::string& muscle = digit_.names.muscles[digit_.model.hood_shares[b].muscle];
       add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0);
       add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0);
@@ -123,7 +123,7 @@ class Lister {
   }
 
   void list_net(const BuiltNet& built) {
-    // Passive bands: all stiffnesses at once, then each one's, and slack lengths.
+    // Add stiffnesses of passive bands, first one for all, then one for each, and slack lengths.
     const Net& net = built.net;
     add("net/stiffness", ParameterKind::kNetStiffness, -1, 0, 0);
     for (int b = 0; b < static_cast<int>(net.bands.size()); ++b) {
@@ -132,7 +132,7 @@ class Lister {
       add(fmt::format("net/{}/stiffness", band), ParameterKind::kNetStiffness, b, 0, 0);
       add(fmt::format("net/{}/slack", band), ParameterKind::kNetSlack, b, 0, 0);
     }
-    // Insertions and exits, and the bones that bands bend over.
+    // Add insertions and exits, and the radii of bones that bands wrap.
     for (int i = 0; i < static_cast<int>(net.nodes.size()); ++i)
       for (int c = 0; c < 3 && !net.nodes[i].free && !on_path(net.nodes[i]); ++c)
         add(fmt::format("net/{}/{}", net.nodes[i].name, kDirections[c]), ParameterKind::kNetPlace,
@@ -140,12 +140,12 @@ class Lister {
     for (int s = 0; s < static_cast<int>(net.surfaces.size()); ++s)
       if (internal::has_radius(net.surfaces[s]))
         add(fmt::format("net/{}/radius", net.surfaces[s].name), ParameterKind::kNetRadius, s, 0, 0);
-    // Muscles of which a part inserts on bone.
+    // Add muscles of which a part inserts on bone.
     for (int m = 0; m < static_cast<int>(built.muscles.size()); ++m) {
       const std::string& muscle = digit_.names.muscles[built.muscles[m].muscle];
       if (built.muscles[m].to_net < 1)
         add(fmt::format("net/{}/into", muscle), ParameterKind::kNetEntry, m, 0, 0);
-      // Those that divide between two pulls.
+      // Add muscles that divide between two pulls.
       if (!first_share(built, m)) continue;
       add(fmt::format("net/{}/central", muscle), ParameterKind::kNetCentral, m, 0, 0);
       add(fmt::format("net/{}/slope", muscle), ParameterKind::kNetSlope, m, 0, 0);
@@ -154,18 +154,18 @@ class Lister {
 
   void list_mounting() {
     for (int c = 0; c < 3; ++c) {
-      // Where the force acts, and the tilt of the load cell.
+      // Add the point of the tip force, and the tilt of the load cell.
       add(fmt::format("tip/{}", kDirections[c]), ParameterKind::kTip, 0, 0, c);
       add(fmt::format("sensor/{}", kDirections[c]), ParameterKind::kSensorTilt, 0, 0, c);
     }
     for (int j = 0; j < digit_.model.coordinates; ++j) {
-      // Errors of joint angles, in all postures and in single ones.
+      // Add errors of joint angles, in all postures and in single ones.
       const std::string& joint = digit_.names.coordinates[j];
       add(fmt::format("angle/{}", joint), ParameterKind::kAngle, j, 0, 0);
       for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
         add(fmt::format("angle/{}/{}", joint, postures_[k]), ParameterKind::kPostureAngle, j, k, 0);
     }
-    // The hold; the gain of each muscle, and what its geometry does not explain.
+    // Add the weight of out-of-plane moments; then each muscle's gain and unexplained force.
     add("hold/out_of_plane", ParameterKind::kOutOfPlane, 0, 0, 0);
     for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m) {
       const std::string& muscle = digit_.names.muscles[m];
@@ -195,21 +195,21 @@ double display_scale(const Parameter& parameter) {
 
 std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                        const std::vector<std::string>& postures) {
-  return Lister(digit, postures).take();
+  return Lister(digit, postures).parameters();
 }
 
 bool matches_glob(const std::string& glob, const std::string& name) {
-  // Remembers the last star and how far it has swallowed; linear in practice.
+  // Backtrack to the last star only, whose match grows by one character; linear in practice.
   std::size_t g = 0, n = 0, star = std::string::npos, swallowed = 0;
   while (n < name.size()) {
     if (g < glob.size() && (glob[g] == '?' || glob[g] == name[n])) {
       ++g, ++n;
     } else if (g < glob.size() && glob[g] == '*') {
-      // A star matches nothing at first.
+      // Let a star match nothing at first.
       star = g++;
       swallowed = n;
     } else if (star != std::string::npos) {
-      // No match here: the last star takes one character more.
+      // Let the last star match one more character.
       g = star + 1;
       n = ++swallowed;
     } else {

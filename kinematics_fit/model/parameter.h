@@ -71,34 +71,35 @@ inline constexpr std::array kParameterKindNames{
   return name_in(kParameterKindNames, kind);
 }
 
-/// One parameter. Its value is `mean` before the fit.
+/// Named parameter; before the fit its value is `mean`.
 struct Parameter {
   std::string name;
   ParameterKind kind;
-  int item = 0;           // hinge, strand or muscle, by kind
-  int point = 0;          // point of the path, or posture, by kind
-  int component = 0;      // of a direction, point or coordinate
-  double mean = 0;        // prior mean: the subject's value of arms, gains, friction; else 0 [SI]
-  double sd = 0;          // prior sd of the population mean [SI]
+  int item = 0;       // hinge, strand or muscle, depending on `kind`
+  int point = 0;      // point of the path, or posture, depending on `kind`
+  int component = 0;  // component of a direction, point or coordinate
+  double mean = 0;    // prior mean: the subject's value of arms, gains, friction; otherwise 0 [SI]
+  double sd = 0;      // prior sd of the population mean [SI]
   double between_sd = 0;  // prior sd between specimens [SI]
-  double lower = 0;       // bounds [SI]
-  double upper = 0;
+  double lower = 0;       // lower bound [SI]
+  double upper = 0;       // upper bound [SI]
 };
 
-/// Unit in which people read and write the parameter: "mm", "deg", "1" or "1/rad".
+/// Returns the unit in which users read and write the parameter: "mm", "deg", "1" or "1/rad".
 [[nodiscard]] std::string display_unit(const Parameter& parameter);
 
-/// Display units per SI unit: 1000 for lengths, 180/pi for angles.
+/// Returns display units per SI unit: 1000 for lengths, 180/pi for angles.
 [[nodiscard]] double display_scale(const Parameter& parameter);
 
-/// Every parameter of a digit, with default priors. Constant arms, gains and friction are values,
-/// with the subject's as mean; all others are shifts from the subject, with mean 0. Insertions and
-/// exits of a net that are points of a tendon's path move with that path, and have no parameter.
-/// @param postures  names of the postures that may be in error one by one
+/// Lists every parameter of a digit, with default priors. Constant arms, gains and friction are
+/// values with the subject's as mean; all others are shifts from the subject, with mean 0.
+/// Insertions and exits of a net that are points of a tendon's path move with that path and have no
+/// parameter.
+/// @param postures  names of the postures with their own angle errors
 [[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                                      const std::vector<std::string>& postures = {});
 
-/// Returns whether a name matches a glob with `*` (any run of characters, also none) and `?`.
+/// Returns whether a name matches a glob pattern with `*` (any characters, or none) and `?`.
 [[nodiscard]] bool matches_glob(const std::string& glob, const std::string& name);
 
 }  // namespace thenar

@@ -10,12 +10,12 @@
 
 namespace thenar {
 
-/// A ForceSite with its names resolved.
+/// ForceSite with its names resolved to indices.
 struct PlannedSite {
-  int link;                   // that the cell holds; -1: the mount on which the digit stands
-  Eigen::Vector3d point;      // where, at the reference posture; unused of a mount [m] (3)
-  int axes_link;              // link whose directions the components use; -1: the base
-  TendonExit leave;           // of a mount
+  int link;               // link that the cell holds; -1: the mount of the digit
+  Eigen::Vector3d point;  // point of the cell at the reference posture; unused for a mount [m] (3)
+  int axes_link;          // link whose directions the force components use; -1: the base
+  TendonExit leave;       // direction of the tendons at a mount
   std::vector<int> balanced;  // coordinates that move the held link
 };
 

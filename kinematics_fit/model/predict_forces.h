@@ -1,6 +1,6 @@
 #pragma once
 
-/// The forward model: fingertip forces of every trial of an experiment, on any scalar.
+/// Forward model: fingertip forces of every trial of an experiment, for any scalar type.
 
 #include <functional>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Model of the digit as mounted, for given parameter values [SI] (all).
+/// Builds the model of the digit as mounted, for given parameter values [SI] (all).
 template <typename T>
 [[nodiscard]] SpecimenModel<T> specimen_model(const TendonDigit& digit,
                                               const FitParameters& parameters,
@@ -23,7 +23,8 @@ template <typename T>
   return model;
 }
 
-/// Rotation by the rotation vector w, exact to second order near zero without a singular angle.
+/// Returns the rotation by the rotation vector w, exact to second order near zero, without
+/// singularities.
 template <typename T>
 [[nodiscard]] Mat3<T> small_rotation(const Vec3<T>& w) {
   // Cayley's map: a rotation for any w, tangent to the exponential.
@@ -33,20 +34,21 @@ template <typename T>
   return Mat3<T>::Identity() + (T(2) / (T(1) + h.squaredNorm())) * (K + K * K);
 }
 
-/// A specimen in one posture of an experiment.
+/// Specimen in one posture of an experiment.
 template <typename T>
 struct PosedSpecimen {
-  VectorX<T> angles;   // with their errors [rad] (coordinates)
-  TreeState<T> state;  // links
-  int key;             // of the posture in the parameters' postures; -1: not named there
-  Mat3<T> cell;        // components that the load cell reads, from the tip's axes (3, 3); rows of
-                       // components that the experiment does not fit are zero
+  VectorX<T> angles;   // joint angles with their errors [rad] (coordinates)
+  TreeState<T> state;  // pose of the links
+  int key;             // index of the posture in the parameters' postures; -1: not named there
+  Mat3<T> cell;  // map from the tip's axes to the components of the load cell; rows of components
+                 // that are not fitted are zero (3, 3)
 };
 
+/// Poses a specimen in one posture of an experiment.
 template <typename T>
 [[nodiscard]] PosedSpecimen<T> pose_specimen(const SpecimenModel<T>& model,
                                              const ExperimentPlan& plan, std::size_t posture) {
-  // The posture with its errors of angles.
+  // Angles of the posture with their errors.
   PosedSpecimen<T> at;
   at.key = plan.posture_key[posture];
   at.angles = plan.postures[posture].cast<T>() + model.angle_error;
@@ -63,8 +65,8 @@ template <typename T>
   return at;
 }
 
-/// Map from stated tensions to the tip's force in the tip's axes, of all tendons outside of a net
-/// [1] (3, muscles).
+/// Computes the map from stated tensions to the tip's force in the tip's axes, for all tendons
+/// outside of a net [1] (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> stated_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                           const PosedSpecimen<T>& at) {
@@ -74,21 +76,21 @@ template <typename T>
                                    MatrixX<T>(arms.transpose())) *
                        model.gain.asDiagonal() +
                    model.unexplained;
-  // What the geometry misses in this posture alone.
+  // Forces that the geometry does not explain in this posture.
   const Eigen::Index muscles = model.gain.size();
   if (at.key >= 0) map += model.posture_unexplained.middleCols(at.key * muscles, muscles);
   return map;
 }
 
-/// Map from tensions to the force components that the tip's load cell reads [1] (3, muscles).
+/// Computes the map from tensions to the components of the tip's load cell [1] (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         const PosedSpecimen<T>& at) {
   return at.cell * stated_force_map(model, plan, at);
 }
 
-/// Map from tensions to the components of a load cell that does not hold the tip, for a model
-/// without a net [1] (3, muscles).
+/// Computes the map from tensions to the components of a load cell that does not hold the tip, for
+/// a model without a net [1] (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> site_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         const PosedSpecimen<T>& at, const PlannedSite& site) {
@@ -107,26 +109,29 @@ template <typename T>
   return plan.components.cast<T>() * (axes(site.axes_link).transpose() * map);
 }
 
-/// Joint torque of the net in a trial, the specimen being posed as it is there [N m] (coordinates).
+/// Function that returns the joint torque of the net in a trial, for the posed specimen [N m]
+/// (coordinates).
 template <typename T>
 using NetTorque = std::function<VectorX<T>(const PosedSpecimen<T>& at, Eigen::Index trial)>;
 
-/// Predicted force components of every trial [N] (3, trials).
-/// @param net_torque  of the trials in which muscles pull the model's net: pulls_net(); unused
-///                    without one
+/// Predicts the force components of every trial [N] (3, trials).
+/// @param net_torque  torque in the trials in which muscles pull the model's net: pulls_net();
+/// unused
+///                    without a net
 template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> predict_forces(
     const SpecimenModel<T>& model, const ExperimentPlan& plan,
     const NetTorque<T>& net_torque = {}) {
   Eigen::Matrix<T, 3, Eigen::Dynamic> forces(3, plan.force.cols());
   for (std::size_t k = 0; k < plan.postures.size(); ++k) {
-    // The map of each posture serves all its trials.
+    // Compute the map once for all trials of the posture.
     const PosedSpecimen<T> at = pose_specimen(model, plan, k);
     const MatrixX<T> map = cell_force_map(model, plan, at);
-    std::vector<MatrixX<T>> elsewhere(plan.sites.size());  // of other load cells, once asked for
+    std::vector<MatrixX<T>> elsewhere(
+        plan.sites.size());  // maps of other load cells, computed on demand
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
       if (plan.posture_of_trial[i] != static_cast<int>(k)) continue;
-      // A load cell elsewhere than at the tip.
+      // Load cell at another place than the tip.
       if (const int other = site_of(plan, static_cast<std::size_t>(i)); other >= 0) {
         const auto cell = static_cast<std::size_t>(other);
         if (elsewhere[cell].size() == 0)
@@ -135,7 +140,7 @@ template <typename T>
         continue;
       }
       forces.col(i) = map * plan.tension[i].cast<T>();
-      // A net is not linear in tensions.
+      // Add the net, whose force is not linear in tensions.
       if (model.net && pulls_net(*model.net->built, plan.tension[i]))
         forces.col(i) +=
             at.cell * held_tip_forces(model.digit, at.state, plan.hold, plan.known,

@@ -18,9 +18,9 @@ double angle_of(const PostureRecord& posture, const std::string& joint) {
   return found == posture.angles.end() ? 0 : found->second;
 }
 
-/// Two experiments that have a posture of this name at other angles, or nulls. Being the same
-/// within 2 degrees is not handed on from one to the next, so that all pairs count.
-std::pair<const Experiment*, const Experiment*> differing(
+/// Returns two experiments that have a posture of this name at different angles, or nulls. Equality
+/// within 2 degrees is not transitive, so that all pairs are compared.
+std::pair<const Experiment*, const Experiment*> find_differing(
     const std::string& name, const std::vector<Experiment>& experiments) {
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const PostureRecord* here = find_posture(experiments[e], name);
@@ -37,9 +37,10 @@ std::pair<const Experiment*, const Experiment*> differing(
 /// Returns the suffix that with_own_postures() adds to the names of an experiment's postures.
 std::string own_suffix(const Experiment& experiment) { return " (" + experiment.name + ")"; }
 
-/// Returns whether a posture stands elsewhere in the known experiments: see with_own_postures().
-bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
-                      const std::vector<Experiment>& known) {
+/// Returns whether a posture differs from those of its name in the known experiments: see
+/// with_own_postures().
+bool differs_from_known(const PostureRecord& posture, const std::string& specimen,
+                        const std::vector<Experiment>& known) {
   int own = 0, own_alike = 0, others_unlike = 0;
   for (const Experiment& other : known) {
     const PostureRecord* there = find_posture(other, posture.name);
@@ -62,7 +63,7 @@ const PostureRecord* find_posture(const Experiment& experiment, const std::strin
 }
 
 bool same_posture(const PostureRecord* a, const PostureRecord* b) {
-  const double kSame = radians(2);  // Largest difference of angles in equal postures [rad]
+  const double kSame = radians(2);  // largest difference of angles in equal postures [rad]
   if (a == nullptr || b == nullptr) return false;
   const auto alike = [&](const auto& joint) {
     return std::abs(angle_of(*a, joint.first) - angle_of(*b, joint.first)) <= kSame;
@@ -73,7 +74,9 @@ bool same_posture(const PostureRecord* a, const PostureRecord* b) {
 FitParameters share_same_postures(FitParameters parameters,
                                   const std::vector<Experiment>& experiments) {
   for (std::size_t key = 0; key < parameters.postures.size(); ++key) {
-    if (differing(parameters.postures[key], experiments).first == nullptr) continue;
+    // Where a posture differs between experiments, move its errors from the population to
+    // specimens.
+    if (find_differing(parameters.postures[key], experiments).first == nullptr) continue;
     for (Parameter& p : parameters.all) {
       const bool of_posture =
           p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
@@ -87,8 +90,8 @@ FitParameters share_same_postures(FitParameters parameters,
 
 Experiment with_own_postures(Experiment experiment, const std::vector<Experiment>& known) {
   for (PostureRecord& posture : experiment.postures) {
-    if (!stands_elsewhere(posture, experiment.specimen, known)) continue;
-    // The new name, in the posture and in all that stands in it.
+    if (!differs_from_known(posture, experiment.specimen, known)) continue;
+    // Rename the posture, and its trials and activation rows.
     const std::string name = posture.name;
     posture.name += own_suffix(experiment);
     for (Trial& trial : experiment.trials)
@@ -104,7 +107,7 @@ std::vector<std::string> posture_name_warnings(const std::vector<Experiment>& ex
   std::set<std::string> names;
   for (const Experiment& experiment : experiments)
     for (const PostureRecord& posture : experiment.postures) {
-      // Renamed ones, once each.
+      // Warn of renamed postures, once each.
       names.insert(posture.name);
       const std::string suffix = own_suffix(experiment);
       const std::size_t length = posture.name.size() - std::min(suffix.size(), posture.name.size());
@@ -114,9 +117,9 @@ std::vector<std::string> posture_name_warnings(const std::vector<Experiment>& ex
             "in other experiments: it is taken for another one",
             experiment.name, posture.name.substr(0, length)));
     }
-  // Those of several people.
+  // Warn of equal names for different postures of several specimens.
   for (const std::string& name : names) {
-    const auto [one, other] = differing(name, experiments);
+    const auto [one, other] = find_differing(name, experiments);
     if (one != nullptr)
       warnings.push_back(fmt::format(
           "posture '{}' of experiments '{}' and '{}' is not one, as angles differ by more than 2 "

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Postures that several experiments share. The part of a force that the geometry does not explain
-/// is shared between people only in postures in which they stand alike.
+/// is shared between people only in postures with equal joint angles.
 
 #include <string>
 #include <vector>
@@ -11,28 +11,28 @@
 
 namespace thenar {
 
-/// The posture of this name, or null.
+/// Returns the posture of this name, or null.
 [[nodiscard]] const PostureRecord* find_posture(const Experiment& experiment,
                                                 const std::string& name);
 
-/// Returns whether all joints stand alike within 2 degrees; a joint that one of the two does not
-/// name is at 0 there. Null is like nothing.
+/// Returns whether all joint angles agree within 2 degrees; a joint that one of the two does not
+/// name is at 0 there. False if either is null.
 [[nodiscard]] bool same_posture(const PostureRecord* a, const PostureRecord* b);
 
-/// The parameters, what postures have of their own kept to each specimen, sd 0 and the whole
-/// variance between specimens, wherever two of the experiments have a posture of one name at other
-/// angles.
+/// Returns the parameters with posture-specific effects that are independent between specimens (sd
+/// 0, and all variance between specimens) if two of the experiments have a posture of one name at
+/// different angles.
 [[nodiscard]] FitParameters share_same_postures(FitParameters parameters,
                                                 const std::vector<Experiment>& experiments);
 
-/// The experiment, with " (EXPERIMENT)" after the names of postures that stand elsewhere in
-/// `known`, so that nothing which is known of those is taken for these: where experiments of its
-/// own specimen have the name, in all of them, else in any.
+/// Returns the experiment with " (EXPERIMENT)" appended to the names of postures whose angles
+/// differ in `known`, so that they are not confused. If experiments of its own specimen have the
+/// name, the angles are compared with all of them, otherwise with any experiment.
 [[nodiscard]] Experiment with_own_postures(Experiment experiment,
                                            const std::vector<Experiment>& known);
 
-/// Warnings where one name stands for postures at different angles, a sentence each: those renamed
-/// by with_own_postures(), and those of several experiments that share_same_postures() keeps apart.
+/// Returns a warning for each name of postures at different angles: those renamed by
+/// with_own_postures(), and those of several experiments that share_same_postures() separates.
 [[nodiscard]] std::vector<std::string> posture_name_warnings(
     const std::vector<Experiment>& experiments);
 

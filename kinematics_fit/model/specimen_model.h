@@ -1,6 +1,6 @@
 #pragma once
 
-/// Model of one specimen: a digit with its parameters set, on any scalar.
+/// Model of one specimen: a digit with its parameters set, for any scalar type.
 
 #include <cmath>
 #include <optional>
@@ -13,23 +13,23 @@
 
 namespace thenar {
 
-/// A digit as it was mounted in one experiment.
+/// Digit as it was mounted in one experiment.
 template <typename T>
 struct SpecimenModel {
   TendonModel<T> digit;
-  std::optional<SpecimenNet<T>> net;      // in place of a hood; absent: none
-  VectorX<T> angle_error;                 // added to every posture [rad] (coordinates)
-  MatrixX<T> posture_error;               // added to each posture [rad] (coordinates, postures)
-  T out_of_plane = T(0);                  // hold length of out-of-plane moments [m]
-  VectorX<T> gain;                        // tension at the digit per stated one [1] (muscles)
-  MatrixX<T> unexplained;                 // force of the tip beyond what the geometry makes, per
-                                          // stated tension, in the tip's axes [1] (3, muscles)
-  MatrixX<T> posture_unexplained;         // added to it in each posture [1] (3, muscles x postures,
-                                          // muscles of one posture side by side)
+  std::optional<SpecimenNet<T>> net;  // net that replaces a hood; empty: none
+  VectorX<T> angle_error;             // angle error in all postures [rad] (coordinates)
+  MatrixX<T> posture_error;  // additional angle error in each posture [rad] (coordinates, postures)
+  T out_of_plane = T(0);     // length that scales out-of-plane moments [m]
+  VectorX<T> gain;           // tension at the digit per stated tension [1] (muscles)
+  MatrixX<T> unexplained;    // tip force that the geometry does not explain, per stated tension, in
+                             // the tip's axes [1] (3, muscles)
+  MatrixX<T> posture_unexplained;  // additional unexplained force in each posture, muscles of one
+                                   // posture side by side [1] (3, muscles x postures)
   Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
 };
 
-/// Copies a model to another scalar; all its numbers are constants.
+/// Copies a model to another scalar type; all its numbers are constants.
 template <typename T>
 [[nodiscard]] SpecimenModel<T> cast_model(const TendonModel<double>& from, int postures) {
   // Topology and constants.
@@ -56,7 +56,7 @@ template <typename T>
   for (const HoodShare<double>& share : from.hood_shares)
     to.digit.hood_shares.push_back(
         {share.muscle, share.side, T(share.into_hood), T(share.to_central), T(share.slope)});
-  // No errors of angles, and tensions as stated.
+  // No angle errors, and tensions as stated.
   to.angle_error = VectorX<T>::Zero(from.coordinates);
   to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
@@ -65,20 +65,20 @@ template <typename T>
   return to;
 }
 
-/// Shifts everything beyond hinge `i` along the bone that the hinge moves. Points on that bone
-/// shift in proportion to how far along it they lie.
+/// Shifts everything distal to hinge `i` along the bone that the hinge moves. Points on that bone
+/// shift in proportion to their position along it.
 template <typename T>
 void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonModel<T>& to) {
   const auto beyond = [&](int link) {
     while (link > i) link = from.tree[link].parent;
     return link == i;
   };
-  // The bone runs from its own hinge to the next one outwards, or to the tip.
+  // Find the end of the bone: the next hinge in distal direction, or the tip.
   Eigen::Vector3d end = from.tip;
   for (int next = static_cast<int>(from.tree.size()) - 1; next > i; --next)
     if (beyond(next) && (from.tree[next].point - from.tree[i].point).norm() > 1e-6)
       end = from.tree[next].point;
-  // Shift of a point: in proportion to its place along the bone.
+  // Shift of a point, in proportion to its position along the bone.
   const Eigen::Vector3d bone = end - from.tree[i].point;
   const double length = bone.norm();
   if (length == 0) return;
@@ -86,7 +86,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
     const double along = (p - from.tree[i].point).dot(bone) / (length * length);
     return (bone / length).cast<T>() * (by * T(std::min(1.0, std::max(0.0, along))));
   };
-  // Hinges, path points and the tip beyond the hinge.
+  // Shift hinges, path points and the tip distal to the hinge.
   for (std::size_t k = i + 1; k < from.tree.size(); ++k)
     if (beyond(static_cast<int>(k))) to.tree[k].point += shift(from.tree[k].point);
   for (std::size_t s = 0; s < from.paths.size(); ++s)
@@ -95,9 +95,9 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
   if (beyond(from.tip_link)) to.tip += shift(from.tip);
 }
 
-/// Sets one parameter of a model that still has the parameter's start value.
-/// Axis directions are left unnormalised: normalise_axes() puts them back on the sphere, which
-/// makes the two tilts a gnomonic chart about the start direction.
+/// Sets one parameter of a model that still has the initial value of that parameter. Axis
+/// directions are not normalised; normalise_axes() does so, which makes the two tilts a gnomonic
+/// chart about the initial direction.
 template <typename T>
 void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
                    SpecimenModel<T>& to) {
@@ -174,6 +174,7 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
   }
 }
 
+/// Normalises all axis directions.
 template <typename T>
 void normalise_axes(SpecimenModel<T>& model) {
   for (Hinge<T>& hinge : model.digit.tree) hinge.direction.normalize();

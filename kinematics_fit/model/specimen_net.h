@@ -1,6 +1,6 @@
 #pragma once
 
-/// Floating extensor net of one specimen, with its parameters set, on any scalar.
+/// Floating extensor net of one specimen, with its parameters set, for any scalar type.
 
 #include <cmath>
 #include <memory>
@@ -17,24 +17,24 @@ namespace thenar {
 /// Quantities of a net that parameters may move. All others, and the topology, are in `built`.
 template <typename T>
 struct SpecimenNet {
-  std::shared_ptr<const BuiltNet> built;  // before the fit
-  std::vector<Vec3<T>> place;             // of each node on its link, at the reference posture;
-                                          // those that float only start there [m] (nodes)
-  VectorX<T> EA;                          // of each band [N] (bands)
-  VectorX<T> slack;                       // length of each band without tension [m] (bands)
-  VectorX<T> radius;                      // size[0] of each surface [m] (surfaces)
-  VectorX<T> to_net;                      // share of each of built->muscles in the net [1]
-  VectorX<T> first;                       // of that, what goes to the first of its two pulls at
-                                          // kHoodAngle; of other muscles not used [1]
-  VectorX<T> slope;                       // of its logit by flexion of the MCP joint [1/rad]
-  std::vector<TendonPath<T>> own;         // path of each of built->muscles from the net on
+  std::shared_ptr<const BuiltNet> built;  // net before the fit
+  std::vector<Vec3<T>> place;  // position of each node on its link at the reference posture;
+                               // initial position of floating nodes [m] (nodes)
+  VectorX<T> EA;               // axial stiffness of each band [N] (bands)
+  VectorX<T> slack;            // slack length of each band [m] (bands)
+  VectorX<T> radius;           // size[0] of each surface [m] (surfaces)
+  VectorX<T> to_net;  // share of the tension of each of built->muscles that goes into the net [1]
+  VectorX<T> first;  // part of that share that goes to the first of two pulls at kHoodAngle; unused
+                     // for other muscles [1]
+  VectorX<T> slope;  // change of the logit of `first` by flexion of the MCP joint [1/rad]
+  std::vector<TendonPath<T>> own;  // path of each of built->muscles from the net on
 };
 
 /// Returns the share of the first pull in the tension that built.muscles[m] gives the net, if the
 /// muscle has two pulls [1]; nothing if it has more or fewer.
 [[nodiscard]] std::optional<double> first_share(const BuiltNet& built, int m);
 
-/// The net as built, on another scalar; all its numbers are constants.
+/// Copies the net to another scalar type; all its numbers are constants.
 template <typename T>
 [[nodiscard]] SpecimenNet<T> cast_net(std::shared_ptr<const BuiltNet> from) {
   SpecimenNet<T> to;
@@ -49,7 +49,7 @@ template <typename T>
   }
   to.radius.resize(static_cast<Eigen::Index>(net.surfaces.size()));
   for (Eigen::Index s = 0; s < to.radius.size(); ++s) to.radius[s] = T(net.surfaces[s].size[0]);
-  // Muscles that pull it.
+  // Shares of the muscles that pull it.
   to.to_net.resize(static_cast<Eigen::Index>(from->muscles.size()));
   to.first.resize(to.to_net.size());
   to.slope = VectorX<T>::Zero(to.to_net.size());
@@ -64,11 +64,12 @@ template <typename T>
   return to;
 }
 
-/// Returns whether a point of a net is that point of a tendon's path, so that they move together.
+/// Returns whether a point of a net coincides with that point of a tendon's path, so that they move
+/// together.
 [[nodiscard]] bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p);
 
-/// Moves all of a net that lies at a point of a tendon's path: insertions, exits, and where muscles
-/// run on from there.
+/// Moves all points of a net that coincide with a point of a tendon's path: insertions, exits, and
+/// points of the muscles' own paths.
 template <typename T>
 void move_with_path(const PathNode<double>& point, const Vec3<T>& by, SpecimenNet<T>& to) {
   const BuiltNet& built = *to.built;
@@ -81,8 +82,8 @@ void move_with_path(const PathNode<double>& point, const Vec3<T>& by, SpecimenNe
         to.own[m][k].p += by;
 }
 
-/// Sets one parameter of a net that still has the parameter's start value.
-/// @param tip_axes  proximal, dorsal and radial of the digit, as columns (3, 3)
+/// Sets one parameter of a net that still has the initial value of that parameter.
+/// @param tip_axes  proximal, dorsal and radial direction of the digit, as columns (3, 3)
 template <typename T>
 void set_net_parameter(const Eigen::Matrix3d& tip_axes, const Parameter& p, const T& value,
                        SpecimenNet<T>& to) {
@@ -117,8 +118,8 @@ void set_net_parameter(const Eigen::Matrix3d& tip_axes, const Parameter& p, cons
   }
 }
 
-/// Share of each pull of the net in the tension of its muscle [1] (pulls). With h = to_net, and of
-/// two pulls,
+/// Returns the share of each pull of the net in the tension of its muscle [1] (pulls). With h =
+/// to_net, the shares of a muscle with two pulls are
 ///   h c  and  h (1 - c),   c = first shifted by  slope (angle - kHoodAngle)  on the logit scale;
 /// other pulls share h as built.
 /// @param angle  flexion of the metacarpophalangeal joint [rad]
@@ -143,7 +144,7 @@ template <typename T>
   return shares;
 }
 
-/// Pull of each muscle of the net for tensions t of the digit's muscles [N] (pulls).
+/// Returns the pulls on the net for tensions t of the digit's muscles [N] (pulls).
 /// @param angle  flexion of the metacarpophalangeal joint [rad]
 template <typename T>
 [[nodiscard]] VectorX<T> net_pulls(const SpecimenNet<T>& net, const T& angle, const VectorX<T>& t) {
@@ -152,7 +153,7 @@ template <typename T>
   return pulls;
 }
 
-/// Moment arms of all that is outside of the net, of NetTendons: R becomes
+/// Adds the moment arms of everything outside of the net, see NetTendons: R becomes
 ///   diag(1 - to_net) R + diag(to_net) R_own  (muscles, coordinates) [m/rad].
 template <typename T>
 void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const TreeState<T>& state,
@@ -165,13 +166,14 @@ void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const Tre
   }
 }
 
-/// Returns whether any muscle pulls the net. One that nothing pulls is taken to leave the joints
-/// alone, as forces are measured from those of the unloaded finger.
+/// Returns whether any muscle pulls the net. An unloaded net exerts no joint torque, because forces
+/// are measured relative to the unloaded finger.
 [[nodiscard]] bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t);
 
-/// The net with these numbers.
-/// @param angle  flexion of the metacarpophalangeal joint, at which muscles share among their pulls
-///               [rad]
+/// Returns the net with these numbers.
+/// @param angle  flexion of the metacarpophalangeal joint for which muscles divide their tension
+/// among
+///               their pulls [rad]
 [[nodiscard]] BuiltNet built_net(const SpecimenNet<double>& net, double angle = kHoodAngle);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linear map from tendon tensions to the force of a held fingertip, on any scalar.
+/// Linear map from tendon tensions to the force of a constrained fingertip, for any scalar type.
 
 #include "data/io/experiment.h"
 #include "solvers/orthogonal_solve.h"
@@ -8,32 +8,33 @@
 
 namespace thenar {
 
-/// Length that makes the flexion moment of a rigid hold comparable with its forces: a middle
-/// phalanx [m]. It matters only where the hold carries more loads than there are joints.
+/// Length that makes the flexion moment of a rigid constraint comparable with its forces: a middle
+/// phalanx [m]. It only matters if the constraint carries more loads than there are joints.
 inline constexpr double kHoldLength = 0.0236;
 
-/// Forces of a held tip that the torques of its joints decide. Joints of parallel axes feel no
-/// force across their plane, so that none follows from their torques: it is then taken to be zero.
+/// Forces of a constrained tip that are determined by the joint torques. Joints with parallel axes
+/// feel no force perpendicular to their plane, so that their torques do not determine it: it is set
+/// to zero.
 enum class DecidedForces {
   kInSpace,  // proximal, dorsal and radial
-  kInPlane   // of flexion: proximal and dorsal
+  kInPlane   // in the plane of flexion: proximal and dorsal
 };
 
-/// Torque about each joint per load that the hold can carry: forces of the tip on the world along
-/// the tip's proximal, dorsal and (in space) radial directions and, if rigid, moments about the
-/// radial and (in space) proximal and dorsal directions. Moments are divided by a length, so that
-/// all loads are in [N]: `out_of_plane` for the last two, which are left out where it is zero
-/// [Synek2019].
+/// Returns the torque about each joint per load that the constraint can carry: forces of the tip on
+/// the world along the tip's proximal, dorsal and (in space) radial directions and, if rigid,
+/// moments about the radial and (in space) proximal and dorsal directions. Moments are divided by a
+/// length, so that all loads are in [N]: `out_of_plane` for the last two, which are omitted if it
+/// is zero [Synek2019].
 /// @return (coordinates, 2 or 3 in the plane, 3, 4 or 6 in space) [m/rad]
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_constraint_loads(const TendonModel<T>& digit,
                                               const TreeState<T>& state, TipConstraint hold,
                                               DecidedForces known, const T& out_of_plane) {
-  // Two or three forces; no moment, one, or all three.
+  // Number of forces, and of moments: none, one or all three.
   const int forces = known == DecidedForces::kInPlane ? 2 : 3;
   const bool all_moments = known == DecidedForces::kInSpace && out_of_plane != T(0);
   const int moments = hold == TipConstraint::kPinned ? 0 : all_moments ? 3 : 1;
-  // The tip's place and directions.
+  // Position and directions of the tip.
   const Mat3<T> axes =
       digit.tip_link < 0 ? digit.tip_axes : Mat3<T>(state[digit.tip_link].X.R * digit.tip_axes);
   const Vec3<T> tip = moved(state, digit.tip_link, digit.tip);
@@ -44,7 +45,7 @@ template <typename T>
   MatrixX<T> loads(digit.coordinates, forces + moments);
   loads.leftCols(forces) = all.leftCols(forces);
   if (moments == 0) return loads;
-  // Torques of unit moments, each in units of a length.
+  // Torques of unit moments, divided by their lengths.
   const MatrixX<T> turning =
       rotation_jacobian(digit.tree, state, digit.tip_link, digit.coordinates).transpose() * axes;
   loads.col(forces) = turning.col(2) * T(kHoldLength);
@@ -52,12 +53,12 @@ template <typename T>
   return loads;
 }
 
-/// Forces among the loads c of a hold, one a column (3, torques).
+/// Returns the forces among the loads c of a constraint, one per column (3, torques).
 ///
-/// Solves  L c = torque : in least norm where the hold carries more loads than there are joints,
-/// exactly where as many, in least squares where fewer. In the plane the radial force is zero.
-/// @param L       torque per load, of tip_constraint_loads() [m/rad] (joints, loads)
-/// @param torque  [N m] (joints, torques)
+/// Solves  L c = torque : with minimum norm if the constraint carries more loads than there are
+/// joints, exactly if as many, by least squares if fewer. In the plane the radial force is zero.
+/// @param L       torque per load, from tip_constraint_loads() [m/rad] (joints, loads)
+/// @param torque  joint torques [N m] (joints, torques)
 template <typename T>
 [[nodiscard]] MatrixX<T> forces_of_hold(const MatrixX<T>& L, const MatrixX<T>& torque,
                                         DecidedForces known) {
@@ -69,9 +70,9 @@ template <typename T>
   return in_plane;
 }
 
-/// Tip forces in the tip's own directions (proximal, dorsal, radial) that hold joint torques, one a
-/// column (3, torques): forces_of_hold().
-/// @param torque  [N m] (coordinates, torques)
+/// Returns the tip forces in the tip's own directions (proximal, dorsal, radial) that balance joint
+/// torques, one per column (3, torques): forces_of_hold().
+/// @param torque  joint torques [N m] (coordinates, torques)
 template <typename T>
 [[nodiscard]] MatrixX<T> held_tip_forces(const TendonModel<T>& digit, const TreeState<T>& state,
                                          TipConstraint hold, DecidedForces known,
@@ -80,7 +81,8 @@ template <typename T>
                         torque, known);
 }
 
-/// held_tip_forces() per unit tension of each muscle, of tendons without a net (3, muscles).
+/// Returns held_tip_forces() per unit tension of each muscle, for tendons without a net (3,
+/// muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
                                        const VectorX<T>& q, TipConstraint hold, DecidedForces known,

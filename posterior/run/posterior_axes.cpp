@@ -10,12 +10,13 @@
 namespace thenar {
 namespace {
 
+/// Returns whether a parameter moves the axis of a hinge.
 bool moves_axis(const Parameter& p, int hinge) {
   return (p.kind == ParameterKind::kAxisDirection || p.kind == ParameterKind::kAxisPoint) &&
          p.item == hinge;
 }
 
-/// Neighbouring axes of which a parameter that moves belongs to either.
+/// Returns neighbouring axes of which a moving parameter moves at least one.
 std::vector<NeighbouringAxes> moving_axes(const HandPosterior& posterior) {
   const FitProblem& problem = posterior.problem();
   const std::vector<int> moving = posterior.moving_parameters();
@@ -30,8 +31,8 @@ std::vector<NeighbouringAxes> moving_axes(const HandPosterior& posterior) {
   return pairs;
 }
 
-/// Angle [deg], distance and how far beyond [mm] of each pair in turn at every point.
-/// @param values  of the parameters that move [SI] (parameters that move, points)
+/// Computes angle [deg], distance and offset beyond [mm] of each pair in turn at every point.
+/// @param values  parameters that move [SI] (parameters, points)
 /// @return (points, 3 pairs)
 Eigen::MatrixXd axis_offsets(const HandPosterior& posterior,
                              const std::vector<NeighbouringAxes>& pairs,
@@ -40,7 +41,7 @@ Eigen::MatrixXd axis_offsets(const HandPosterior& posterior,
   const std::vector<int> moving = posterior.moving_parameters();
   Eigen::MatrixXd offsets(values.cols(), 3 * static_cast<Eigen::Index>(pairs.size()));
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
-    // The digit at this point, then its axes.
+    // Build the digit at this point, and compare its axes.
     const SpecimenModel<double> at = specimen_model<double>(
         posterior.problem().digit(), parameters, values_with(parameters, moving, values.col(k)));
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -68,24 +69,26 @@ std::vector<PosteriorAxes> posterior_axes(const PosteriorRun& run, int prior_cou
   const PosteriorValues before = posterior.values(prior_draws(run, prior_count));
   const int chains = run.draws.chains();
 
+  // Add the offsets of the population or a specimen.
   const auto add = [&](const std::string& whose, const Eigen::MatrixXd& values,
                        const Eigen::MatrixXd& prior_values) {
     const Eigen::MatrixXd offsets = axis_offsets(posterior, pairs, values);
     const Eigen::MatrixXd prior = axis_offsets(posterior, pairs, prior_values);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto column = 3 * static_cast<Eigen::Index>(i);
-      // Axes that only specimens move stand still in the population.
+      // Axes that only specimens move are constant in the population.
       const Eigen::MatrixXd spread = prior.middleCols<3>(column);
       if ((spread.rowwise() - spread.row(0)).isZero(0)) continue;
-      const auto estimate_of = [&](Eigen::Index of) {
-        return estimate(pairs[i].name, by_chain(offsets.col(column + of), chains), run.draws.group);
+      const auto estimate_of = [&](Eigen::Index component) {
+        return estimate(pairs[i].name, reshape_by_chain(offsets.col(column + component), chains),
+                        run.draws.group);
       };
       found.push_back({whose, pairs[i], estimate_of(0), estimate_of(1), estimate_of(2),
                        share_above_zero(offsets.col(column + 2)),
                        share_above_zero(prior.col(column + 2))});
     }
   };
-  // The population only where it differs from the specimen.
+  // Add the population only if it differs from the specimen.
   const std::vector<std::string>& specimens = posterior.problem().specimens();
   const bool several = specimens.size() > 1;
   if (several) add("", drawn.population, before.population);

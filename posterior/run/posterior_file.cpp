@@ -22,7 +22,7 @@ void add_source(const std::string& key, const SourceText& source, Attributes& to
   to[key + "_sha256"] = sha256(source.text);
 }
 
-/// Hands each number of the settings with its name to a function that writes or reads it.
+/// Calls `use` with the name of each number of the settings, to write or read it.
 template <typename Settings, typename Use>
 void each_setting(Settings& settings, const Use& use) {
   // Priors and modes.
@@ -80,11 +80,11 @@ RunRecord record_of(const AttributeReader& given) {
 }
 
 FitInputs inputs_of(const AttributeReader& given) {
-  // Experiments are numbered until one is missing.
+  // Experiments are numbered consecutively.
   FitInputs inputs{given.source("input_subject"), given.source("input_settings"), {}, {}};
   for (int e = 0; given.has(fmt::format("input_experiment{}_text", e)); ++e)
     inputs.experiments.push_back(given.source(fmt::format("input_experiment{}", e)));
-  // Globs, one to a line.
+  // Glob patterns are separated by newlines.
   std::string rest = given.text("input_also_free");
   for (std::size_t end; (end = rest.find('\n')) != std::string::npos; rest.erase(0, end + 1))
     inputs.also_free.push_back(rest.substr(0, end));
@@ -105,7 +105,7 @@ PosteriorSettings settings_of(const AttributeReader& given) {
 namespace thenar {
 namespace {
 
-constexpr int kPriorDraws = 1000;  // Draws from the prior that the file keeps
+constexpr int kPriorDraws = 1000;  // number of prior draws in the file
 
 std::string now() {
   const std::time_t time = std::time(nullptr);
@@ -114,7 +114,7 @@ std::string now() {
   return text;
 }
 
-/// Writes the statistics of the run, not of its steps: groups, swaps, time.
+/// Writes the statistics of the run: groups, swaps, time.
 void add_run(const Draws& draws, InferenceGroup& stats) {
   // Groups of chains, and the ladder of temperatures.
   stats.arrays["group"] = {{draws.group.begin(), draws.group.end()},
@@ -128,7 +128,7 @@ void add_run(const Draws& draws, InferenceGroup& stats) {
                             "1",
                             "power of the likelihood"};
   if (draws.swap_rate.size() == 0) return;
-  // Swaps, where there are several temperatures.
+  // Swaps, if there are several temperatures.
   stats.lengths["neighbours"] = static_cast<std::size_t>(draws.swap_rate.rows());
   stats.lengths["ladder"] = static_cast<std::size_t>(draws.swap_rate.cols());
   stats.arrays["swap_rate"] = {
@@ -141,7 +141,7 @@ void add_run(const Draws& draws, InferenceGroup& stats) {
 }  // namespace
 
 InferenceFile describe_posterior(const PosteriorRun& run) {
-  // What made it, and all that is needed to run it again.
+  // Describe the run, and store all inputs to repeat it.
   InferenceFile file;
   const HandPosterior& posterior = *run.posterior;
   file.attributes = {{"thenar_format", internal::kPosteriorFormat},
@@ -160,7 +160,7 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
     file.attributes["abandoned_target_acceptances"] =
         fmt::format("{}", fmt::join(run.abandoned, " "));
 
-  // Groups, by the names of ArviZ.
+  // Add the groups under ArviZ's names.
   using namespace internal;
   file.groups["posterior"] = parameter_group(posterior, pooled(run.draws), run.draws.chains());
   file.groups["prior"] = parameter_group(posterior, prior_draws(run, kPriorDraws), 1);
@@ -183,6 +183,7 @@ namespace {
 
 using internal::AttributeReader;
 
+/// Returns an array of a group. @throws InputError if it is missing.
 const InferenceArray& array(const InferenceFile& file, const std::string& group,
                             const std::string& name) {
   const auto found = file.groups.find(group);
@@ -192,22 +193,22 @@ const InferenceArray& array(const InferenceFile& file, const std::string& group,
   return values->second;
 }
 
-/// The layout of posteriors says how many lengths it has.
+/// Returns the lengths of the array's dimensions.
 std::vector<std::size_t> shape_of(const InferenceFile& file, const std::string& group,
                                   const std::string& name) {
   return shape_in(file.groups.at(group), array(file, group, name));
 }
 
-/// x of every chain (n, draws).
+/// Returns x of every chain (n, draws).
 std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
-  // Do the draws belong to the inputs?
+  // Check that the draws belong to the inputs.
   const std::vector<double>& values = array(file, "unconstrained_posterior", "x").values;
   const std::vector<std::size_t> shape = shape_of(file, "unconstrained_posterior", "x");
   const std::size_t chains = shape[0], draws = shape[1];
   require(shape[2] == static_cast<std::size_t>(n),
           "the draws have {} coordinates, the inputs in the file give {}", shape[2], n);
 
-  // One chain behind the other in the file.
+  // Copy the chains, which are stored one after another.
   std::vector<Eigen::MatrixXd> x;
   for (std::size_t c = 0; c < chains; ++c) {
     x.emplace_back(
@@ -220,7 +221,7 @@ std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
 
 std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::size_t chains,
                                              std::size_t draws) {
-  // Each array into one field of all steps.
+  // Copy each array to one field of all steps.
   std::vector<std::vector<StepStats>> stats(chains, std::vector<StepStats>(draws));
   internal::each_step_field([&](const char* name, const char*, auto StepStats::*field) {
     const std::vector<double>& values = array(file, "sample_stats", name).values;
@@ -234,13 +235,13 @@ std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::siz
 }
 
 Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
-  // Draws and the statistics of their steps.
+  // Read draws and the statistics of their steps.
   Draws draws;
   draws.x = chains_of(file, n);
   draws.stats = stats_of(file, draws.x.size(), static_cast<std::size_t>(draws.draws()));
   for (const double group : array(file, "sample_stats", "group").values)
     draws.group.push_back(static_cast<int>(group));
-  // Temperatures and swaps.
+  // Read temperatures and swaps.
   const std::vector<double>& beta = array(file, "sample_stats", "temper").values;
   draws.beta =
       Eigen::Map<const Eigen::VectorXd>(beta.data(), static_cast<Eigen::Index>(beta.size()));
@@ -250,7 +251,7 @@ Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
         array(file, "sample_stats", "swap_rate").values.data(), static_cast<Eigen::Index>(shape[1]),
         static_cast<Eigen::Index>(shape[0]));
   }
-  // How the run went.
+  // Read the outcome of the run.
   draws.warm_up = static_cast<long>(given.number("warm_up"));
   draws.complete = given.text("complete") == "yes";
   draws.seconds = std::stod(given.text("sampling_time"));
@@ -262,7 +263,7 @@ std::vector<Mode> modes_of(const InferenceFile& file, const HandPosterior& poste
   const std::vector<double>& cost = array(file, "modes", "cost").values;
   std::vector<Mode> modes(cost.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    // Back from x to the coordinates of the fit.
+    // Convert x to the coordinates of the fit.
     modes[m].z = posterior.fit_coordinates(Eigen::Map<const Eigen::VectorXd>(
         x.data() + m * static_cast<std::size_t>(posterior.size()), posterior.size()));
     modes[m].cost = cost[m];
@@ -273,12 +274,12 @@ std::vector<Mode> modes_of(const InferenceFile& file, const HandPosterior& poste
   return modes;
 }
 
-/// @throws InputError for what is missing or does not fit together.
+/// Reads a run. @throws InputError if anything is missing or inconsistent.
 PosteriorRun run_of(const InferenceFile& file) {
   const AttributeReader given(file.attributes);
   require(given.has("thenar_format") && given.text("thenar_format") == internal::kPosteriorFormat,
           "not a '{}' file", internal::kPosteriorFormat);
-  // Inputs and settings, and the posterior built from them anew.
+  // Read inputs and settings, and rebuild the posterior.
   for (const auto& [name, text] : file.attributes)
     require(name.rfind("setting_", 0) != 0 || name == "setting_sampler" ||
                 std::abs(std::stod(text)) < 2147483648.0,
@@ -288,7 +289,7 @@ PosteriorRun run_of(const InferenceFile& file) {
   run.settings = internal::settings_of(given);
   run.posterior =
       std::make_shared<const HandPosterior>(build_problem(run.inputs), run.settings.posterior);
-  // What was found; convergence and masses are judged again.
+  // Read the results; convergence and masses are assessed again.
   run.run = internal::record_of(given);
   if (given.has("abandoned_target_acceptances")) {
     std::istringstream abandoned(given.text("abandoned_target_acceptances"));
@@ -309,7 +310,7 @@ PosteriorRun read_posterior(const std::string& path) {
   const InferenceFile file = read_inference(path);
   try {
     return run_of(file);
-  } catch (const std::logic_error& e) {  // of std::stod and at()
+  } catch (const std::logic_error& e) {  // from std::stod and at()
     throw DataError(path, 0, fmt::format("not a posterior of thenar: {}", e.what()));
   } catch (const InputError& e) {
     throw DataError(path, 0, fmt::format("not a posterior of thenar: {}", e.what()));

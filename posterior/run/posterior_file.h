@@ -1,6 +1,6 @@
 #pragma once
 
-/// Posterior files: ArviZ InferenceData with the inputs and settings of the run as attributes.
+/// Posterior files: ArviZ InferenceData with inputs and settings of the run as attributes.
 
 #include <map>
 #include <string>
@@ -11,15 +11,18 @@
 
 namespace thenar::internal {
 
+/// Attributes of a file by name.
 using Attributes = std::map<std::string, std::string>;
 
-inline constexpr const char* kPosteriorFormat = "thenar posterior 1";
+inline constexpr const char* kPosteriorFormat =
+    "thenar posterior 1";  // value of the format attribute
 
+// Append inputs, settings and the record of the run.
 void add_inputs(const FitInputs& inputs, Attributes& to);
 void add_settings(const PosteriorSettings& settings, Attributes& to);
 void add_record(const RunRecord& run, Attributes& to);
 
-/// Reads attributes by name; refers to `attributes`, which must outlive it.
+/// Reads attributes by name; keeps a reference to `attributes`, which must outlive it.
 class AttributeReader {
  public:
   explicit AttributeReader(const Attributes& attributes) : attributes_(attributes) {}
@@ -48,9 +51,9 @@ class AttributeReader {
 
 namespace thenar {
 
-/// Content of a posterior file: parameters, statistics of the sampler, pointwise log likelihood,
-/// replicated and measured forces, draws from the prior, and all inputs to run it again. The layout
-/// is in docs/data_format.md.
+/// Describes a posterior file: parameters, sampler statistics, pointwise log likelihood, replicated
+/// and measured forces, prior draws, and all inputs needed to repeat the run. Layout:
+/// docs/data_format.md.
 [[nodiscard]] InferenceFile describe_posterior(const PosteriorRun& run);
 
 /// Writes to a temporary file and renames it when complete.

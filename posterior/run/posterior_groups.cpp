@@ -13,15 +13,16 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kPredictedDraws = 1000;  // Most replicated draws of each chain
-// Most replicated draws of all chains together, but at least one of each
+constexpr long kPredictedDraws = 1000;  // maximum number of replicated draws of each chain
+// Maximum number of replicated draws of all chains, with at least one of each
 constexpr long kAllPredicted = 20000;
 
-/// Components of a force that any experiment fits.
+/// Returns the largest number of components of a force that any experiment fits.
 int most_components(const FitProblem& problem) {
-  int most = 0;
-  for (const ExperimentPlan& plan : problem.plans()) most = std::max(most, plan.measured);
-  return most;
+  int max_components = 0;
+  for (const ExperimentPlan& plan : problem.plans())
+    max_components = std::max(max_components, plan.measured);
+  return max_components;
 }
 
 std::vector<std::string> component_names(const FitProblem& problem) {
@@ -29,7 +30,7 @@ std::vector<std::string> component_names(const FitProblem& problem) {
   return {names.begin(), names.begin() + most_components(problem)};
 }
 
-/// The components that any experiment fits, NaN where the trial's own does not.
+/// Returns the components that any experiment fits, NaN where the trial's own experiment does not.
 /// @param all  three numbers of every trial of every experiment in turn (3 trials, columns)
 Eigen::MatrixXd fitted_components(const FitProblem& problem, const Eigen::MatrixXd& all) {
   const int components = most_components(problem);
@@ -44,10 +45,11 @@ Eigen::MatrixXd fitted_components(const FitProblem& problem, const Eigen::Matrix
   return kept;
 }
 
-/// One array over chains, draws and the rows of `values`, which come chain by chain.
+/// Flattens `values`, stored chain by chain, to an array over chains, draws and rows.
 /// @param values  (rows, chains * draws)
 std::vector<double> by_draw(const Eigen::MatrixXd& values) {
-  return {values.data(), values.data() + values.size()};  // column by column: the last index runs
+  return {values.data(),
+          values.data() + values.size()};  // column by column: the last index varies fastest
 }
 
 void add_draws(InferenceGroup& group, int chains, long draws) {
@@ -61,7 +63,7 @@ void add_names(InferenceGroup& group, const std::string& dimension,
   group.coordinates[dimension] = names;
 }
 
-/// Rows of `all` that a family owns, in the unit people read.
+/// Returns the rows of `all` of one family, in display units.
 Eigen::MatrixXd family_rows(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows,
                             double scale) {
   Eigen::MatrixXd picked(static_cast<Eigen::Index>(rows.size()), all.cols());
@@ -74,18 +76,19 @@ struct Family {
   std::string name, unit;
   double scale = 1;
   std::vector<std::string> members;
-  std::vector<Eigen::Index> rows;  // of PosteriorValues::population
+  std::vector<Eigen::Index> rows;  // rows of PosteriorValues::population
 };
 
+/// Groups the moving parameters by kind.
 std::vector<Family> families(const HandPosterior& posterior) {
   std::vector<Family> found;
   const std::vector<int> moving = posterior.moving_parameters();
   for (std::size_t row = 0; row < moving.size(); ++row) {
-    // Kinds become names of variables.
+    // Convert kinds to names of variables.
     const Parameter& p = posterior.problem().parameters().all[moving[row]];
     std::string name = name_of(p.kind);
     std::replace(name.begin(), name.end(), '/', '_');
-    // The family of this kind, made when it is first met.
+    // Find or add the family of this kind.
     auto family =
         std::find_if(found.begin(), found.end(), [&](const Family& f) { return f.name == name; });
     if (family == found.end())
@@ -96,7 +99,7 @@ std::vector<Family> families(const HandPosterior& posterior) {
   return found;
 }
 
-/// Specimens next to each other within a draw. (specimens * rows, points)
+/// Stacks the specimens within each draw (specimens * rows, points).
 Eigen::MatrixXd stacked(const std::vector<Eigen::MatrixXd>& specimens, const Family& family) {
   const auto rows = static_cast<Eigen::Index>(family.rows.size());
   Eigen::MatrixXd all(rows * static_cast<Eigen::Index>(specimens.size()), specimens[0].cols());
@@ -114,11 +117,11 @@ void add_factors(InferenceGroup& group, const std::string& name, const std::stri
   group.arrays[name] = {by_draw(factors), {"chain", "draw", dimension}, "1", description};
 }
 
-/// A number of every component of every trial, as the plans of the experiments have them.
+/// Adds a number of every component of every trial, from the plans of the experiments.
 void add_readings(const FitProblem& problem, const std::string& name,
                   Eigen::Matrix3Xd ExperimentPlan::*readings, const std::string& description,
                   InferenceGroup& group) {
-  // Dimensions, then all experiments behind each other.
+  // Set the dimensions, and concatenate all experiments.
   add_names(group, "trial", observation_names(problem, Observed::kForces));
   add_names(group, "component", component_names(problem));
   Eigen::VectorXd all(0);
@@ -135,7 +138,7 @@ void add_readings(const FitProblem& problem, const std::string& name,
 
 InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::MatrixXd& x,
                                int chains) {
-  // Values that people read, in display units.
+  // Compute values in display units.
   InferenceGroup group;
   add_draws(group, chains, x.cols() / chains);
   const PosteriorValues values = posterior.values(x);
@@ -143,7 +146,7 @@ InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::Matr
   for (const Family& family : families(posterior)) {
     const std::string dimension = family.name + "_parameter";
     add_names(group, dimension, family.members);
-    // Of one specimen alone the values of its population follow, but not how far those are off.
+    // A single specimen determines its population's values, but not their uncertainty.
     if (values.specimens.size() > 1)
       group.arrays[family.name] = {
           by_draw(family_rows(values.population, family.rows, family.scale)),
@@ -155,7 +158,7 @@ InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::Matr
                                                family.unit,
                                                "of each specimen"};
   }
-  // Factors of noise and between specimens, where they are learnt.
+  // Add factors of noise and between specimens if they are inferred.
   if (posterior.options().learn_noise)
     add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
                 "factor on the stated sd of the forces");
@@ -178,7 +181,7 @@ InferenceGroup coordinate_group(const PosteriorRun& run) {
 InferenceGroup statistics_group(const PosteriorRun& run) {
   InferenceGroup group;
   add_draws(group, run.draws.chains(), run.draws.draws());
-  // One array over all chains for each field.
+  // Add one array over all chains for each field.
   const auto add = [&](const std::string& name, const std::string& description,
                        const std::function<double(const StepStats&)>& pick) -> InferenceArray& {
     std::vector<double> values;
@@ -212,7 +215,7 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
                            "1",
                            "log likelihood of the components of a trial together"};
   if (pointwise.rows() == count) return group;
-  // Rows of muscle activations come behind the trials.
+  // Rows of muscle activations follow the trials.
   const std::vector<std::string> all = observation_names(run.posterior->problem());
   add_names(group, "activation_row", {all.begin() + count, all.end()});
   group.arrays["activation"] = {by_draw(pointwise.bottomRows(pointwise.rows() - count)),
@@ -224,9 +227,9 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
 
 InferenceGroup predictive_group(const PosteriorRun& run) {
   InferenceGroup group;
-  // Fewer draws of each chain where there are many chains.
-  const long most = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
-  const Eigen::MatrixXd x = thinned(pooled(run.draws), most * run.draws.chains());
+  // Use fewer draws of each chain if there are many chains.
+  const long draws_per_chain = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
+  const Eigen::MatrixXd x = thinned(pooled(run.draws), draws_per_chain * run.draws.chains());
   const long draws = x.cols() / run.draws.chains();
   add_draws(group, run.draws.chains(), draws);
   add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
@@ -255,11 +258,11 @@ InferenceGroup noise_group(const PosteriorRun& run) {
 
 InferenceGroup mode_group(const PosteriorRun& run) {
   InferenceGroup group;
-  // Modes as columns, with what the search said of each.
+  // Store modes as columns, with the results of the search.
   Eigen::MatrixXd x(run.posterior->size(), static_cast<Eigen::Index>(run.modes.size()));
   std::vector<double> cost, hits, mass;
   for (std::size_t m = 0; m < run.modes.size(); ++m) {
-    x.col(static_cast<Eigen::Index>(m)) = run.posterior->from_fit(run.modes[m].z);
+    x.col(static_cast<Eigen::Index>(m)) = run.posterior->from_fit_coordinates(run.modes[m].z);
     cost.push_back(run.modes[m].cost);
     hits.push_back(run.modes[m].hits);
     mass.push_back(run.modes[m].laplace_mass);

@@ -7,15 +7,14 @@
 
 namespace thenar::internal {
 
-/// Parameters that move, by kind and in display units [mm, deg, 1, 1/rad], of the population and of
-/// each specimen; factors of noise and between specimens [1].
+/// Returns the parameters that move, by kind and in display units [mm, deg, 1, 1/rad], of the
+/// population and of each specimen, and the factors of noise and between specimens [1].
 /// @param x  points of the posterior, chain by chain [1] (size, chains * draws)
 [[nodiscard]] InferenceGroup parameter_group(const HandPosterior& posterior,
                                              const Eigen::MatrixXd& x, int chains);
-/// Draws of x as sampled, in prior sds [1].
+/// Returns the draws of x as sampled, in prior sds [1].
 [[nodiscard]] InferenceGroup coordinate_group(const PosteriorRun& run);
-/// Hands each recorded field of StepStats with its name and what it is to a function that writes or
-/// reads it.
+/// Calls `use` with the name, description and member of each recorded field of StepStats.
 template <typename Use>
 void each_step_field(const Use& use) {
   use("log_prior", "log prior", &StepStats::log_prior);
@@ -28,17 +27,17 @@ void each_step_field(const Use& use) {
   use("broken", "densities that were NaN", &StepStats::non_finite);
   use("diverging", "energy error above 1000", &StepStats::divergent);
 }
-/// Statistics of every recorded step, see StepStats.
+/// Returns the statistics of every recorded step, see StepStats.
 [[nodiscard]] InferenceGroup statistics_group(const PosteriorRun& run);
-/// Log likelihood of every trial and every row of muscle activations [1].
+/// Returns the log likelihood of every trial and every row of muscle activations [1].
 [[nodiscard]] InferenceGroup likelihood_group(const PosteriorRun& run);
-/// Replicated forces of the trials, at most 1000 draws of each chain [N].
+/// Returns replicated forces of the trials for at most 1000 draws of each chain [N].
 [[nodiscard]] InferenceGroup predictive_group(const PosteriorRun& run);
-/// Measured forces of the trials [N].
+/// Returns the measured forces of the trials [N].
 [[nodiscard]] InferenceGroup observed_group(const PosteriorRun& run);
-/// Stated sds of the forces [N].
+/// Returns the stated sds of the forces [N].
 [[nodiscard]] InferenceGroup noise_group(const PosteriorRun& run);
-/// Modes found before sampling: point, cost, number of searches and Laplace mass [1].
+/// Returns the modes found before sampling: point, cost, number of searches and Laplace mass [1].
 [[nodiscard]] InferenceGroup mode_group(const PosteriorRun& run);
 
 }  // namespace thenar::internal

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-Eigen::MatrixXd by_chain(const Eigen::VectorXd& values, int chains) {
+Eigen::MatrixXd reshape_by_chain(const Eigen::VectorXd& values, int chains) {
   return Eigen::Map<const Eigen::MatrixXd>(values.data(), values.size() / chains, chains);
 }
 
@@ -28,7 +28,7 @@ Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count) {
 }
 
 std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int prior_count) {
-  // Values at all draws, and at draws from the prior.
+  // Compute values at all draws, and at draws from the prior.
   const HandPosterior& posterior = *run.posterior;
   const FitProblem& problem = posterior.problem();
   const PosteriorValues values = posterior.values(pooled(run.draws));
@@ -36,33 +36,35 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
   const std::vector<int> moving = posterior.moving_parameters();
   const int chains = run.draws.chains();
 
+  // Add parameters of the population or a specimen.
   std::vector<PosteriorQuantity> found;
   const auto add_parameters = [&](const std::string& whose, const Eigen::MatrixXd& drawn,
                                   const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
-      // In display units.
+      // Convert to display units.
       const auto at = static_cast<std::size_t>(moving[i]);
       const Parameter& p = problem.parameters().all[at];
       const double scale = display_scale(p);
-      // A mounting belongs to one specimen: the population has none of its own.
+      // Parameters of the mounting belong to specimens: the population has none.
       if (before.row(i).minCoeff() == before.row(i).maxCoeff()) continue;
-      found.push_back({whose + p.name, display_unit(p), scale * by_chain(drawn.row(i), chains),
+      found.push_back({whose + p.name, display_unit(p),
+                       scale * reshape_by_chain(drawn.row(i), chains),
                        scale * before.row(i).transpose()});
     }
   };
-  // The population only where it differs from the specimen.
+  // Add the population only if it differs from the specimen.
   const bool several = problem.specimens().size() > 1;
   if (several) add_parameters("", values.population, prior.population);
   for (std::size_t s = 0; s < problem.specimens().size(); ++s)
     add_parameters(several ? problem.specimens()[s] + ": " : "", values.specimens[s],
                    prior.specimens[s]);
 
-  // Factors of noise and between specimens.
+  // Add factors of noise and between specimens.
   const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
                                const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i)
-      found.push_back(
-          {kind + names[i], "1", by_chain(drawn.row(i), chains), before.row(i).transpose()});
+      found.push_back({kind + names[i], "1", reshape_by_chain(drawn.row(i), chains),
+                       before.row(i).transpose()});
   };
   if (run.settings.posterior.learn_noise)
     add_factors("noise/", experiment_names(problem), values.noise, prior.noise);
@@ -73,14 +75,13 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
 
 std::vector<std::string> experiment_names(const FitProblem& problem) {
   std::vector<std::string> names;
-  // Trials of all experiments first.
   for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
   return names;
 }
 
 std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {
   std::vector<std::string> names;
-  // Then their rows of muscle activations.
+  // Trials of all experiments come first, then their rows of muscle activations.
   for (const Experiment& experiment : problem.experiments())
     for (const Trial& trial : experiment.trials)
       names.push_back(

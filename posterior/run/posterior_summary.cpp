@@ -10,9 +10,10 @@
 namespace thenar {
 namespace {
 
-constexpr long kCheckedDraws = 2000;  // Most replicated draws for the predictive checks
+constexpr long kCheckedDraws =
+    2000;  // maximum number of replicated draws for the predictive checks
 
-/// Covariances of all draws and of two halves: whole chains, or ends of a chain that is alone.
+/// Returns covariances of all draws and of two halves: whole chains, or the ends of a single chain.
 PosteriorCovariances covariances_of(const Draws& draws) {
   const Eigen::MatrixXd all = pooled(draws);
   const Eigen::Index chains = draws.chains();
@@ -23,17 +24,18 @@ PosteriorCovariances covariances_of(const Draws& draws) {
           covariance_of(all.rightCols(all.cols() - half))};
 }
 
-/// The prior of the sampled coordinates is standard normal, by their making.
+/// Computes the learnt directions; the prior of the sampled coordinates is standard normal.
 LearntDirections directions_of(const PosteriorRun& run) {
   const Eigen::Index n = run.draws.size();
   return learnt_directions(run.posterior->names(), covariances_of(run.draws),
                            Eigen::MatrixXd::Identity(n, n));
 }
 
+/// Checks one experiment against its replicates.
 ExperimentCheck check_of(const PosteriorRun& run, const Experiment& experiment) {
   const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
   const PredictedDraws predicted = predict_draws(run, experiment, specimen, kCheckedDraws);
-  // The components that are fitted, trial by trial.
+  // Select the fitted components of each trial.
   std::vector<Eigen::Index> rows;
   std::vector<double> measured;
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)
@@ -61,7 +63,8 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
 
 std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& quantities,
                                         const std::vector<Estimate>& estimates) {
-  constexpr double kWarnedNoiseFactor = 2;  // Factor on the stated noise that is reported [1]
+  constexpr double kWarnedNoiseFactor =
+      2;  // smallest factor on the stated noise that is reported [1]
   const std::string prefix = "noise/";
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -80,13 +83,13 @@ std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& qu
 PosteriorSummary summarise_posterior(const PosteriorRun& run) {
   require(run.draws.draws() * run.draws.chains() >= 2, "a summary needs 2 draws, got {}",
           run.draws.draws() * run.draws.chains());
-  // Quantities with their estimates, and the directions that the data decide.
+  // Compute quantities with their estimates, and the directions that the data determine.
   PosteriorSummary summary;
   summary.quantities = posterior_quantities(run);
   summary.estimates = estimates_of(summary.quantities, run.draws.group);
   summary.axes = posterior_axes(run);
   summary.directions = directions_of(run);
-  // Fitted experiments against their replicates, and left-out observations.
+  // Compare experiments with their replicates, and predict left-out observations.
   for (const Experiment& experiment : run.posterior->problem().experiments())
     if (!experiment.trials.empty()) summary.experiments.push_back(check_of(run, experiment));
   summary.left_out = leave_out_observations(run);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Summary of the draws of a run: the results that tables, pages and JSON share.
+/// Summary of the draws of a run: the results shared by tables, pages and JSON.
 
 #include <optional>
 #include <string>
@@ -15,39 +15,40 @@
 
 namespace thenar {
 
-/// Leave-one-out prediction of each observation by the others.
+/// Leave-one-out prediction of each observation from the others.
 struct LeftOutObservations {
   LeaveOneOut result;
-  std::vector<std::string> observations;  // "H01: Hook FDS" (observations)
+  std::vector<std::string>
+      observations;  // names of the observations: "H01: Hook FDS" (observations)
 };
 
-/// Leave-one-out of a run; empty with fewer than 4 draws a chain or a likelihood that is not
-/// finite.
+/// Computes the leave-one-out prediction of a run; none with fewer than 4 draws per chain or if a
+/// likelihood is not finite.
 [[nodiscard]] std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& run);
 
 /// Posterior predictive check of one fitted experiment.
 struct ExperimentCheck {
-  Prediction prediction;  // means of the draws beside the measured forces
+  Prediction prediction;  // means of the draws with the measured forces
   PredictiveCheck check;
 };
 
 /// Summary of a run, in addition to its convergence, modes and swap rates.
 struct PosteriorSummary {
   std::vector<PosteriorQuantity> quantities;
-  std::vector<Estimate> estimates;           // of the quantities, in their units
-  std::vector<PosteriorAxes> axes;           // that the run moves
-  LearntDirections directions;               // of the sampled coordinates, in prior sds
-  std::vector<ExperimentCheck> experiments;  // those with trials
+  std::vector<Estimate> estimates;           // estimates of the quantities, in their units
+  std::vector<PosteriorAxes> axes;           // pairs of axes that the run moves
+  LearntDirections directions;               // directions of the sampled coordinates, in prior sds
+  std::vector<ExperimentCheck> experiments;  // experiments that have trials
   std::optional<LeftOutObservations> left_out;
 };
 
-/// A warning for every experiment whose forces scatter beyond the stated noise: the 5 % quantile of
-/// `noise/<experiment>`, the factor on the noise, is above 2.
-/// @param estimates  of the quantities, in the same order
+/// Returns a warning for every experiment whose forces scatter beyond the stated noise: the 5 %
+/// quantile of `noise/<experiment>`, the factor on the noise, is above 2.
+/// @param estimates  estimates of the quantities, in the same order
 [[nodiscard]] std::vector<std::string> noise_warnings(
     const std::vector<PosteriorQuantity>& quantities, const std::vector<Estimate>& estimates);
 
-/// @throws InputError if the run has fewer than 2 draws.
+/// Summarises the draws of a run. @throws InputError if the run has fewer than 2 draws.
 [[nodiscard]] PosteriorSummary summarise_posterior(const PosteriorRun& run);
 
 }  // namespace thenar

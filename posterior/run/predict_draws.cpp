@@ -14,12 +14,13 @@
 namespace thenar {
 namespace {
 
+/// Purposes of random streams.
 enum Purpose : std::uint32_t { kReplicate = 101, kNewSpecimen, kMeasure };
 
-/// Factor of the draw on the sd between specimens of each coordinate (coordinates).
+/// Returns the draw's factor on the sd between specimens of each coordinate (coordinates).
 Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParameters& parameters,
                                   const PosteriorValues& values, Eigen::Index draw) {
-  // Kinds without a learnt factor keep 1.
+  // Kinds without an inferred factor keep 1.
   const std::vector<std::string> kinds = posterior.specimen_scale_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
@@ -30,10 +31,10 @@ Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParam
   return factor;
 }
 
-/// Deviation of a new specimen from the population [SI], drawn until their sum is within the bounds
-/// of the parameter.
+/// Draws the deviation of a new specimen from the population [SI], until their sum is within the
+/// bounds of the parameter.
 double new_specimen(const Parameter& leader, double population, double sd, RandomStream& random) {
-  // Most tries; bounds enclose the population, so that one soon falls inside
+  // Maximum number of tries; bounds enclose the population, so that few are needed
   constexpr int kMaxTries = 1000;
   const double mean = leader.mean + population;
   double u = sd * random.normal();
@@ -42,12 +43,12 @@ double new_specimen(const Parameter& leader, double population, double sd, Rando
   return u;
 }
 
-/// Displacements of one draw [SI] (coordinates); the deviation of a new specimen and the errors of
-/// unknown postures are drawn from their priors.
+/// Returns the displacements of one draw [SI] (coordinates); the deviation of a new specimen and
+/// the errors of unknown postures are drawn from their priors.
 Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values,
                           const FitParameters& parameters, const Eigen::VectorXd& x,
                           Eigen::Index draw, int specimen) {
-  // A stream for each draw, whatever the number of draws.
+  // Use a separate random stream for each draw.
   const FitProblem& problem = run.posterior->problem();
   const int known = problem.parameters().coordinates();
   RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(draw), 0,
@@ -56,23 +57,24 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const auto leader = [&](int c) -> const Parameter& {
     return parameters.all[parameters.leader[c]];
   };
-  // The population or specimen at this draw.
+  // Compute the population or specimen at this draw.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   u.head(known) = displacements(problem.coordinates(), run.posterior->fit_coordinates(x), specimen);
-  // A new specimen deviates from it, but only in what the posterior moves.
+  // Add the deviation of a new specimen in the parameters that the posterior moves.
   const Eigen::VectorXd sd = unseen_variance(problem.coordinates()).cwiseSqrt();
   const std::vector<int> moving = run.posterior->moving_parameters();
   for (int c = 0; c < known && specimen < 0; ++c)
     if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))
       u[c] += new_specimen(leader(c), u[c], factor[c] * sd[c], random);
-  // Postures that the fit does not name err by their prior.
+  // Draw errors of unknown postures from their prior.
   for (int c = known; c < parameters.coordinates(); ++c)
     u[c] = factor[c] * leader(c).between_sd * random.normal();
   return u;
 }
 
-/// The draw's factor on the noise of an experiment: its own if `specimen` was fitted to it, else a
-/// new one from the prior, since experiments err by themselves.
+/// Returns the draw's factor on the noise of an experiment: its own if the experiment was fitted
+/// with `specimen`, otherwise a new one from the prior, because experiments have independent
+/// factors.
 double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
                     const std::string& experiment, int specimen, Eigen::Index draw,
                     RandomStream& random) {
@@ -83,26 +85,27 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
   return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
 }
 
-/// Returns whether the mean of draws tells of few that lie far out: their sd is kMaxSdRatio times
-/// that of their central 95 %, or the mean kMaxSkewness of that from the median, as Pearson's
-/// second skewness measures it.
+/// Returns whether outliers dominate the mean of draws: their sd exceeds kMaxSdRatio times that of
+/// the central 95 %, or the mean is kMaxSkewness of that from the median (Pearson's second
+/// skewness).
 bool has_long_tails(const Eigen::VectorXd& draws, double mean, const RobustMoments& middle) {
-  // Largest ratio of the two sds: 1 of a normal, 1.07 of an exponential distribution [1]
+  // Largest ratio of the two sds: 1 for a normal, 1.07 for an exponential distribution [1]
   constexpr double kMaxSdRatio = 1.5;
-  // Largest distance of the mean, in sds: 0 of a normal, 0.33 of an exponential distribution [1]
+  // Largest distance of the mean, in sds: 0 for a normal, 0.33 for an exponential distribution [1]
   constexpr double kMaxSkewness = 0.25;
-  const double rounding = 1e-9 * std::abs(middle.median);  // of equal numbers [N]
+  const double rounding = 1e-9 * std::abs(middle.median);  // rounding of equal numbers [N]
   const double sd = std::sqrt((draws.array() - mean).square().mean());
   return !(sd <= kMaxSdRatio * middle.sd + rounding &&
            std::abs(mean - middle.median) <= kMaxSkewness * middle.sd + rounding);
 }
 
-/// Variances of measured components [N^2] (3 trials): of the stated noise, and of what the model
-/// misses beside it, of which a factor on the noise knows nothing.
+/// Variances of measured components [N^2] (3 trials): of the stated noise, and of the model error,
+/// to which factors on the noise do not apply.
 struct MeasuredVariance {
   Eigen::ArrayXd stated, missed;
 };
 
+/// Computes the variances of an experiment.
 MeasuredVariance measured_variance(const ExperimentPlan& plan, const FitParameters& parameters,
                                    const Experiment& experiment) {
   MeasuredVariance out{plan.sd.reshaped().array().square(), Eigen::ArrayXd(plan.sd.size())};
@@ -113,8 +116,8 @@ MeasuredVariance measured_variance(const ExperimentPlan& plan, const FitParamete
   return out;
 }
 
-/// One measurement about the expected forces of each trial: normal, or where the noise is robust
-/// Student's t, whose components share one chi-square. Those that are not fitted stay 0.
+/// Adds measurement noise to the forces of each trial: normal or, for robust noise, Student's t,
+/// whose components share one chi-square. Components that are not fitted stay 0.
 void add_noise(const ForceNoise& noise, int components, const Eigen::VectorXd& sd,
                RandomStream& random, Eigen::Ref<Eigen::VectorXd> forces) {
   for (Eigen::Index trial = 0; trial < forces.size(); trial += 3) {
@@ -130,7 +133,7 @@ void add_noise(const ForceNoise& noise, int components, const Eigen::VectorXd& s
 PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment, int specimen,
                              long draws) {
   require(run.draws.draws() > 0, "the posterior has no draws to predict with");
-  // The experiment on the fitted digit, and some of the draws.
+  // Prepare the experiment on the fitted digit, and select draws.
   const HandPosterior& posterior = *run.posterior;
   const TendonDigit& digit = posterior.problem().digit();
   const Experiment named = with_own_postures(experiment, posterior.problem().experiments());
@@ -139,7 +142,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const Eigen::MatrixXd x = thinned(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
 
-  // Expected forces at each of them.
+  // Predict the expected forces of each draw.
   Eigen::MatrixXd u(parameters.coordinates(), x.cols());
   for (Eigen::Index k = 0; k < x.cols(); ++k)
     u.col(k) = displaced(run, values, parameters, x.col(k), k, specimen);
@@ -150,7 +153,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
                      {},
                      calibrated_on_specimen(digit, experiment)};
 
-  // Repeated measurements: noise about the expected forces.
+  // Simulate repeated measurements by adding noise.
   out.replicated = out.expected;
   out.sd.resize(out.expected.rows(), out.expected.cols());
   const ForceNoise noise(posterior.problem().robust_scale());
@@ -165,7 +168,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
 }
 
 Prediction summarise(const PredictedDraws& predicted) {
-  // Means without noise, or medians where tails carry the mean away; intervals with noise.
+  // Compute means without noise, or medians if there are long tails; intervals include noise.
   Eigen::VectorXd centre = predicted.expected.rowwise().mean(), sd(centre.size());
   const Eigen::Index trials = centre.size() / 3;
   std::vector<bool> unsteady(static_cast<std::size_t>(trials));

@@ -20,14 +20,15 @@
 namespace thenar {
 namespace {
 
-// Most coordinates for a global search, and for the usual number of starts
+// Maximum numbers of coordinates for a global search, and for the usual number of starts
 constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;
-// Searches for modes, unless options say otherwise, and for many coordinates
+// Default numbers of starts of the mode search, and for many coordinates
 constexpr int kUsualStarts = 16, kStartsOfMany = 4;
-constexpr double kStartInflation = 2;  // Spread of the starts [Laplace sds]
+constexpr double kStartInflation = 2;  // inflation of the chains' starts [Laplace sds]
 
+/// Returns a hash of everything that changes the density or the starts.
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
-  // All texts, then the settings that change the density or the starts.
+  // Concatenate all texts, then the settings that change the density or the starts.
   std::string text = inputs.subject.text + '\n' + inputs.settings.text;
   for (const SourceText& source : inputs.experiments) text += '\n' + source.text;
   for (const std::string& free : inputs.also_free) text += '\n' + free;
@@ -38,10 +39,10 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
 }
 
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
-  // The prior means are a start of their own.
+  // Add the prior means as a start.
   ModeSearchOptions search;
   search.starts = settings.mode_starts;
-  // A global search without derivatives finds nothing among more coordinates than this.
+  // A derivative-free global search fails with more coordinates.
   if (problem.size() > kGlobalSearch) search.global_searches = 0;
   search.extra_starts = Eigen::VectorXd::Zero(problem.size());
   search.seed = settings.run.sampler.seed;
@@ -50,14 +51,14 @@ FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& sett
   return find_modes(least_squares(problem), search);
 }
 
-/// Number of factors of noise and between specimens, the last entries of x.
+/// Returns the number of factors of noise and between specimens, the last entries of x.
 Eigen::Index count_factors(const HandPosterior& posterior) {
   const std::size_t noise_scales =
       posterior.options().learn_noise ? posterior.problem().experiments().size() : 0;
   return static_cast<Eigen::Index>(noise_scales + posterior.specimen_scale_kinds().size());
 }
 
-/// Points about the modes where the density is not zero (size, count).
+/// Finds points around the modes with nonzero density (size, count).
 Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mode>& modes,
                             int count, unsigned seed) {
   const LeastSquares problem = least_squares(posterior.problem());
@@ -68,12 +69,12 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
   for (int found = 0, attempt = 0; found < count; ++attempt, inflation *= 0.7) {
     require(attempt < 20, "no start with a density above zero was found about {} modes",
             modes.size());
-    // Points about the modes, nearer at each attempt.
+    // Draw points around the modes, closer at each attempt.
     const Eigen::MatrixXd z =
         dispersed_starts(problem, modes, count, inflation, seed + static_cast<unsigned>(attempt));
     for (int k = found; k < count; ++k) {
-      // Kept while the density is above zero.
-      Eigen::VectorXd x = posterior.from_fit(z.col(k));
+      // Keep points with positive density.
+      Eigen::VectorXd x = posterior.from_fit_coordinates(z.col(k));
       x.tail(factors) = posterior.draw_prior(seed, static_cast<unsigned>(k)).tail(factors);
       const Densities at = posterior.evaluate(x, WithGradient::kNo);
       if (!std::isfinite(at.log_prior[0] + at.log_likelihood[0])) break;
@@ -83,7 +84,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
   return starts;
 }
 
-/// Chains of one sampler, where nobody says how many: of an ensemble two for each entry, and two.
+/// Returns the default number of chains of one sampler; for an ensemble two per entry, and two.
 int min_walkers(SamplingMethod method, int n) {
   if (method == SamplingMethod::kStretchMove) return 2 * n + 2;
   return method == SamplingMethod::kDreamZs ? 3 : 1;
@@ -95,12 +96,13 @@ void check_chains(const RunOptions& options, int n) {
   (void)temperature_ladder(options.temperatures, options.min_beta);
 }
 
-/// Starts of chains, and the first guess of their covariance.
+/// Starting points of chains, and the initial guess of their covariance.
 struct Beginning {
   Eigen::MatrixXd starts, covariance;
 };
 
-/// Finds the modes, unless asked to stop: half a search would give other starts than the whole one.
+/// Finds modes and starting points; nothing after a stop request, because an incomplete search
+/// would give different starts.
 std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
   FoundModes found = search_modes(run.posterior->problem(), run.settings);
   if (found.status == Status::kStopped || options.progress.stop()) return {};
@@ -110,7 +112,7 @@ std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
   return Beginning{
       find_starts(*run.posterior, run.modes, options.groups * options.walkers,
                   options.sampler.seed),
-      laplace_covariance(*run.posterior, run.posterior->from_fit(run.modes.front().z))};
+      laplace_covariance(*run.posterior, run.posterior->from_fit_coordinates(run.modes.front().z))};
 }
 
 /// Returns the matrix of rank 0 on all ranks.
@@ -146,8 +148,8 @@ Eigen::MatrixXd pooled(const Draws& draws) {
   return all;
 }
 
-Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index most) {
-  const Eigen::Index count = std::min(most, x.cols());
+Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index max_count) {
+  const Eigen::Index count = std::min(max_count, x.cols());
   Eigen::MatrixXd out(x.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) out.col(k) = x.col(k * x.cols() / count);
   return out;
@@ -155,14 +157,14 @@ Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index
 
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
                               const Communicator& ranks) {
-  // Every rank builds the posterior; the first alone searches.
+  // Build the posterior on every rank; search on the first only.
   PosteriorRun run;
   run.inputs = inputs;
   run.settings = settings;
   RunOptions options = settings.run;
   std::optional<Beginning> beginning;
   collective_call(ranks, [&] {
-    // Prior scales are those of a fit; a posterior has no nets, and refuses them at once.
+    // Infer the prior scales by a fit; a posterior with a net is refused anyway.
     if (!inputs.net) run.inputs = with_inferred_scales(inputs);
     run.posterior =
         std::make_shared<const HandPosterior>(build_problem(run.inputs), settings.posterior);
@@ -171,11 +173,11 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
       run.settings.mode_starts =
           run.posterior->problem().size() > kManyCoordinates ? kStartsOfMany : kUsualStarts;
     check_chains(options, run.posterior->size());
-    // The others need not search for what they are told.
+    // Only the first rank searches.
     if (ranks.rank() == 0) beginning = begin(run, options);
   });
 
-  // All ranks stop alike, or take the starts of the first.
+  // Stop on all ranks, or broadcast the starts of the first.
   const bool stopped = ranks.all_gather(Eigen::VectorXd::Constant(1, beginning ? 0 : 1))[0] > 0;
   if (stopped) return run;
   if (!beginning) beginning.emplace();
@@ -183,7 +185,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   const Eigen::MatrixXd starts = broadcast(ranks, beginning->starts, n);
   options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
 
-  // Sample, and judge the draws: more of them where that may help.
+  // Sample and assess the draws; draw more if that may help.
   options.fingerprint = fingerprint(run.inputs, run.settings);
   for (bool enough = false; !enough;) {
     RetriedDraws retried =
@@ -194,7 +196,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
     run.settings.run.draws = options.draws;
     collective_call(ranks, [&] { assess_run(run); });
 
-    // The first rank alone has draws to judge.
+    // Only the first rank has draws to assess.
     const bool more = !options.folder.empty() && options.draws < settings.max_draws &&
                       run.draws.complete && run.convergence.draws_may_help;
     enough = ranks.all_gather(Eigen::VectorXd::Constant(1, more ? 1 : 0)).maxCoeff() == 0;
@@ -209,7 +211,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
 
 namespace {
 
-/// Estimates of the forces of all fitted trials, of each specimen and of a new one [N].
+/// Estimates the forces of all fitted trials, of each specimen and of a new one [N].
 std::vector<Estimate> force_estimates(const PosteriorRun& run) {
   const FitProblem& problem = run.posterior->problem();
   std::vector<Estimate> estimates;
@@ -217,8 +219,8 @@ std::vector<Estimate> force_estimates(const PosteriorRun& run) {
     const Eigen::MatrixXd forces =
         predict_draws(run, experiment, specimen, run.draws.draws() * run.draws.chains()).expected;
     for (const auto& row : forces.rowwise())
-      estimates.push_back(estimate(experiment.name, by_chain(row.transpose(), run.draws.chains()),
-                                   run.draws.group));
+      estimates.push_back(estimate(
+          experiment.name, reshape_by_chain(row.transpose(), run.draws.chains()), run.draws.group));
   };
   for (const Experiment& experiment : problem.experiments()) {
     if (experiment.trials.empty()) continue;
@@ -232,7 +234,7 @@ std::vector<Estimate> force_estimates(const PosteriorRun& run) {
 
 void assess_run(PosteriorRun& run) {
   if (run.draws.draws() == 0) return;
-  // Do the chains agree, at least on what they were asked for?
+  // Assess convergence, if necessary by the answers only.
   ConvergenceLimits limits = run.settings.limits;
   limits.max_depth = run.settings.run.sampler.max_depth;
   run.convergence = assess(run.draws, run.posterior->names(), limits);
@@ -241,10 +243,10 @@ void assess_run(PosteriorRun& run) {
     run.convergence = settled_by_answers(std::move(run.convergence), force_estimates(run),
                                          "forces of all fitted trials", groups, limits);
   }
-  // Which mode is each draw in?
+  // Assign the draws to modes.
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {
-    const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);
+    const Eigen::VectorXd centre = run.posterior->from_fit_coordinates(mode.z);
     known.push_back({centre, laplace_covariance(*run.posterior, centre), mode.laplace_mass});
   }
   run.mode_table = tabulate_modes(run.draws, known);

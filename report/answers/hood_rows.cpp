@@ -76,7 +76,7 @@ Field errors_field(std::string key, const std::optional<HoodRowErrors>& errors) 
   Fields by_muscle;
   for (const MuscleError& one : errors->muscles) by_muscle.add(one.muscle, one.error.relative);
   return {std::move(key),
-          Fields{{"together", errors->together.relative}, {"by_muscle", std::move(by_muscle)}}};
+          Fields{{"together", errors->total.relative}, {"by_muscle", std::move(by_muscle)}}};
 }
 
 /// "net extensor_hood" or "fixed fractions".
@@ -112,10 +112,9 @@ Table hood_row_table(const FitResult& result) {
   for (const std::string& muscle : muscles) head(muscle);
   for (const HoodRow& row : rows) {
     std::vector<std::string> cells{row.experiment, row.what,
-                                   fmt::format("{:.3f}", row.errors.together.relative)};
+                                   fmt::format("{:.3f}", row.errors.total.relative)};
     if (beside)
-      cells.push_back(row.fractions ? fmt::format("{:.3f}", row.fractions->together.relative)
-                                    : "-");
+      cells.push_back(row.fractions ? fmt::format("{:.3f}", row.fractions->total.relative) : "-");
     for (const std::string& muscle : muscles) {
       cells.push_back(error_words(row.errors, muscle));
       if (beside) cells.push_back(error_words(row.fractions, muscle));

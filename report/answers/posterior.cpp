@@ -132,7 +132,7 @@ std::string axes_text(const PosteriorResult& result) {
     for (const Estimate* e : {&of.angle, &of.distance, &of.beyond})
       for (const double value : {e->mean, e->q05, e->q95})
         table.rows.back().push_back(shown(value, 2));
-    for (const double p : {of.second_distal, of.second_distal_before})
+    for (const double p : {of.second_distal, of.second_distal_prior})
       table.rows.back().push_back(shown(p, 3));
   }
   return titled(
@@ -249,7 +249,7 @@ std::vector<Fields> axes_fields(const PosteriorResult& result) {
         Fields{{"axes", of.axes.name},
                {"meaning", distal_words(of, result.run.posterior->problem().digit())},
                {"second_distal_probability", of.second_distal},
-               {"second_distal_prior_probability", of.second_distal_before},
+               {"second_distal_prior_probability", of.second_distal_prior},
                offset_field("angle", units::kDegree, of.angle),
                offset_field("distance", units::kMillimetre, of.distance),
                offset_field("second_distal", units::kMillimetre, of.beyond)});

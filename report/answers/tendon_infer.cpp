@@ -63,8 +63,8 @@ Fields belief_fields(const BandBelief& band, const BandEnds& ends) {
 
 std::string verdict_words(const BandBelief& band) {
   if (band.verdict != Verdict::kUndecided) return to_string(band.verdict);
-  return band.why == WhyUntold::kSlack ? "cannot be told: slack throughout"
-                                       : "cannot be told: others can do its work";
+  return band.why == UndecidedReason::kSlack ? "cannot be told: slack throughout"
+                                             : "cannot be told: others can do its work";
 }
 
 std::string probability_words(const BandBelief& band) {
@@ -121,7 +121,8 @@ std::string text_of_free(const InferNetResult& inference) {
   Table next{{"posture_and_tensions_N", "sets_bit", "slack_bit", "tells_most_of", "of_it_bit"}};
   for (const RankedTrial& trial : free.next)
     next.add({trial.name, shown(trial.information, 3), shown(trial.slack, 3),
-              trial.most_told.empty() ? "-" : trial.most_told, shown(trial.of_most_told, 3)});
+              trial.most_informed_band.empty() ? "-" : trial.most_informed_band,
+              shown(trial.band_information, 3)});
   return text + titled("Measure next. " + next_in_words(free), next);
 }
 
@@ -151,8 +152,8 @@ Fields fields_of_free(const InferNetResult& inference) {
     next.push_back({{"test", trial.name},
                     {"information", units::kBit, trial.information},
                     {"slack", units::kBit, trial.slack},
-                    {"tells_most_of", trial.most_told},
-                    {"of_it", units::kBit, trial.of_most_told}});
+                    {"tells_most_of", trial.most_informed_band},
+                    {"of_it", units::kBit, trial.band_information}});
   return {{"experiment", inference.experiment},
           {"subject", inference.subject},
           {"net", inference.net},

@@ -75,8 +75,8 @@ Json belief_block(const InferNetResult& inference) {
 Json next_free_block(const FreeInference& free) {
   Json rows = Json::array();
   for (const RankedTrial& trial : free.next)
-    rows.push_back(
-        {trial.name, trial.information, trial.slack, trial.most_told, trial.of_most_told});
+    rows.push_back({trial.name, trial.information, trial.slack, trial.most_informed_band,
+                    trial.band_information});
   return table_block("What to measure next. " + next_in_words(free),
                      {"posture and tensions [N]", "about the sets [bit]:3",
                       "about slack lengths [bit]:3", "tells most of", "of it [bit]:3"},

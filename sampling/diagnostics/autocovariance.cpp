@@ -7,17 +7,19 @@
 namespace thenar {
 namespace {
 
-constexpr Eigen::Index kLagsWithoutFft = 100;  // Fewer lags are cheaper one by one than by FFT
+constexpr Eigen::Index kLagsWithoutFft =
+    100;  // number of lags below which direct sums are cheaper than an FFT
 
+/// Computes the sums over all lags by FFT.
 Eigen::VectorXd sum_by_fft(const Eigen::VectorXd& centred) {
-  // Zeros behind the series keep its end from meeting its beginning.
+  // Pad with zeros to avoid circular wrap-around.
   const Eigen::Index n = centred.size();
-  Eigen::Index length = 4;  // the least that Eigen's real transform takes
+  Eigen::Index length = 4;  // minimum length of Eigen's real transform
   while (length < 2 * n) length *= 2;
   Eigen::VectorXd padded = Eigen::VectorXd::Zero(length);
   padded.head(n) = centred;
 
-  // The spectrum's squared size is the transform of the autocovariance.
+  // The squared magnitude of the spectrum is the transform of the autocovariance.
   Eigen::FFT<double> fft;
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   Eigen::VectorXcd spectrum;
@@ -33,7 +35,7 @@ Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen
   const Eigen::Index n = x.size();
   require(lags >= 0 && lags <= n, "a chain of {} draws has no {} lags", n, lags);
   if (lags == 0) return {};
-  // Many lags by FFT, few by sums.
+  // Use the FFT for many lags.
   const Eigen::VectorXd centred = x.array() - x.mean();
   if (lags > kLagsWithoutFft) return sum_by_fft(centred).head(lags) / double(n);
   return Eigen::VectorXd::NullaryExpr(lags, [&](Eigen::Index t) {

@@ -13,17 +13,18 @@
 namespace thenar {
 namespace {
 
-/// Density on an even grid; a draw counts in the cell it falls into.
+/// Density estimate on a regular grid.
 struct Density {
-  double first, step;    // of the grid [unit of y]
-  double bandwidth;      // [unit of y]
-  Eigen::ArrayXd at;     // [1 / unit of y] (cells)
-  Eigen::ArrayXd share;  // of draws up to the end of each cell (cells)
+  double first, step;    // start and spacing of the grid [unit of y]
+  double bandwidth;      // kernel bandwidth [unit of y]
+  Eigen::ArrayXd at;     // density at the centre of each cell [1 / unit of y] (cells)
+  Eigen::ArrayXd share;  // share of draws up to the end of each cell (cells)
 };
 
-constexpr int kCellsPerBandwidth = 4;  // Cells of the density's grid per bandwidth
-constexpr int kMaxCells = 4000;        // Most cells of the density's grid
+constexpr int kCellsPerBandwidth = 4;  // number of grid cells per bandwidth
+constexpr int kMaxCells = 4000;        // maximum number of grid cells
 
+/// Returns Silverman's bandwidth of sorted draws.
 double bandwidth_of(const Eigen::VectorXd& rising) {
   const auto n = double(rising.size());
   const double sd = std::sqrt((rising.array() - rising.mean()).square().mean());
@@ -31,37 +32,37 @@ double bandwidth_of(const Eigen::VectorXd& rising) {
   return 0.9 * (quartiles > 0 ? std::min(sd, quartiles) : sd) * std::pow(n, -0.2);
 }
 
-/// Estimates the density between the quantiles beyond which no cut is allowed, and one bandwidth
-/// further.
+/// Estimates the density between the quantiles outside of which no cut is allowed, extended by one
+/// bandwidth.
 Density density_of(const Eigen::VectorXd& rising, double min_share) {
-  // A grid of several cells to a bandwidth.
+  // Choose the grid.
   const double h = bandwidth_of(rising);
   const double low = quantile(rising, min_share / 2) - h;
   const double high = quantile(rising, 1 - min_share / 2) + h;
   const int cells = std::clamp(int(std::ceil((high - low) / h * kCellsPerBandwidth)), 8, kMaxCells);
-  Density of{low, (high - low) / cells, h, {}, Eigen::ArrayXd::Zero(cells)};
+  Density density{low, (high - low) / cells, h, {}, Eigen::ArrayXd::Zero(cells)};
 
-  // Draws in each cell, and up to its end.
+  // Count draws in each cell, and up to its end.
   Eigen::ArrayXd count = Eigen::ArrayXd::Zero(cells);
   const double each = 1 / double(rising.size());
   double below = 0;
   for (const double y : rising) {
-    const double cell = std::floor((y - low) / of.step);
+    const double cell = std::floor((y - low) / density.step);
     if (cell < 0) below += each;
     if (cell >= 0 && cell < cells) count[int(cell)] += each;
   }
-  for (int i = 0; i < cells; ++i) of.share[i] = below += count[i];
+  for (int i = 0; i < cells; ++i) density.share[i] = below += count[i];
 
-  // Normal kernel, four bandwidths to each side.
-  const int reach = int(std::ceil(4 * h / of.step));
-  of.at = Eigen::ArrayXd::Zero(cells);
+  // Smooth with a normal kernel of four bandwidths to each side.
+  const int reach = int(std::ceil(4 * h / density.step));
+  density.at = Eigen::ArrayXd::Zero(cells);
   for (int shift = -reach; shift <= reach; ++shift) {
-    const double z = shift * of.step / h;
+    const double z = shift * density.step / h;
     const double weight = std::exp(-z * z / 2) / (std::sqrt(2 * M_PI) * h);
     for (int i = std::max(0, shift); i < std::min(cells, cells + shift); ++i)
-      of.at[i] += weight * count[i - shift];
+      density.at[i] += weight * count[i - shift];
   }
-  return of;
+  return density;
 }
 
 }  // namespace
@@ -73,13 +74,13 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
   if (!(bandwidth_of(rising) > 0)) return best;
   const Density f = density_of(rising, min_share);
 
-  // Highest peak on the right of every cell, then walk from the left.
+  // Find the highest peak to the right of every cell, then scan from the left.
   Eigen::ArrayXd right = f.at;
   for (Eigen::Index i = right.size() - 2; i >= 0; --i) right[i] = std::max(right[i], right[i + 1]);
   double left = 0;
   for (Eigen::Index i = 0; i < f.at.size(); ++i) {
     left = std::max(left, f.at[i]);
-    // Enough draws on both sides; the lowest relative to the smaller peak wins.
+    // Among cells with enough draws on both sides, find the lowest relative to the smaller peak.
     if (f.share[i] < min_share || f.share[i] > 1 - min_share) continue;
     const double peak = std::min(left, right[i]), low = f.at[i];
     if (low >= best.depth * peak) continue;
@@ -91,38 +92,38 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
 
 namespace {
 
-constexpr int kMaxStarts = 20;                 // Most starts of the climb of kurtosis
-constexpr int kClimbSteps = 15;                // Most steps of the climb, which converges cubically
-constexpr Eigen::Index kMaxClimbDraws = 4000;  // Most draws that the climb uses
+constexpr int kMaxStarts = 20;   // maximum number of starts of the kurtosis iteration
+constexpr int kClimbSteps = 15;  // maximum number of iterations, which converge cubically
+constexpr Eigen::Index kMaxClimbDraws = 4000;  // maximum number of draws used by the iteration
 
-/// y = A (x - mean) has unit covariance; directions without variance are left out.
+/// Whitened draws: y = A (x - mean) has unit covariance; directions without variance are dropped.
 struct Whitened {
-  Eigen::MatrixXd A;  // (k, n)
-  Eigen::MatrixXd y;  // (k, N)
+  Eigen::MatrixXd A;  // whitening matrix (k, n)
+  Eigen::MatrixXd y;  // whitened draws (k, N)
 };
 
+/// Whitens draws (n, N).
 Whitened whiten(const Eigen::MatrixXd& x) {
-  // Coordinates in units of their sds.
+  // Scale coordinates by their sds.
   const Eigen::VectorXd mean = x.rowwise().mean();
   const Eigen::MatrixXd centred = x.colwise() - mean;
   const Eigen::VectorXd sd =
       centred.rowwise().norm() / std::sqrt(double(std::max<Eigen::Index>(1, x.cols())));
-  const Eigen::VectorXd scale =
-      sd.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });  // units out of the way
-  // Eigenvectors of their correlation; directions without variance drop out.
+  const Eigen::VectorXd scale = sd.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
+  // Keep the eigenvectors of the correlation with nonzero variance.
   const Eigen::MatrixXd z = scale.asDiagonal() * centred;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z * z.transpose() / double(x.cols()));
   const Eigen::Index kept = (eigen.eigenvalues().array() > 1e-12).count();
-  Whitened of;
-  of.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
-         eigen.eigenvectors().rightCols(kept).transpose() * scale.asDiagonal();
-  of.y = of.A * centred;
-  return of;
+  Whitened whitened;
+  whitened.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
+               eigen.eigenvectors().rightCols(kept).transpose() * scale.asDiagonal();
+  whitened.y = whitened.A * centred;
+  return whitened;
 }
 
-/// Returns the directions in which the means of chains lie apart, widest first (k, at most k).
+/// Returns the directions in which the chain means differ most, in descending order (k, at most k).
 Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>& chain) {
-  // Sums of each chain; the whole has mean zero.
+  // Sum the draws of each chain; the overall mean is zero.
   std::map<int, std::pair<Eigen::VectorXd, double>> sums;
   for (Eigen::Index i = 0; i < y.cols(); ++i) {
     auto& [sum, count] =
@@ -130,14 +131,16 @@ Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>&
     sum += y.col(i);
     ++count;
   }
-  // Covariance between the chains, its widest directions first.
+  // Find the principal directions of the covariance between chains.
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(y.rows(), y.rows());
-  for (const auto& [name, of] : sums) between += of.first * of.first.transpose() / of.second;
+  for (const auto& [name, chain_sum] : sums)
+    between += chain_sum.first * chain_sum.first.transpose() / chain_sum.second;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(between);
   const auto wanted = std::min<Eigen::Index>({Eigen::Index(sums.size()) - 1, y.rows(), 5});
   return eigen.eigenvectors().rightCols(wanted).rowwise().reverse();
 }
 
+/// Iterates to a direction of extremal kurtosis, starting at w (k).
 Eigen::VectorXd climb_kurtosis(const Eigen::MatrixXd& y, Eigen::VectorXd w) {
   for (int step = 0; step < kClimbSteps; ++step) {
     // Fixed point of the kurtosis along w.
@@ -158,7 +161,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
   const Eigen::Index k = white.y.rows();
   if (k == 0) return Eigen::MatrixXd::Identity(n, n);
 
-  // Starts of the climb: between chains, and along axes.
+  // Start the iteration with directions between chains, and with axes.
   const Eigen::MatrixXd apart = between_chains(white.y, chain);
   const Eigen::Index every = (x.cols() + kMaxClimbDraws - 1) / kMaxClimbDraws;
   const Eigen::MatrixXd few = white.y(Eigen::all, Eigen::seq(0, Eigen::last, every));
@@ -166,13 +169,13 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
   Eigen::MatrixXd starts(k, apart.cols() + axes);
   starts << apart, Eigen::MatrixXd::Identity(k, axes);
 
-  // Directions between chains, and the ends of the climb.
+  // Collect the directions between chains, and the results of the iteration.
   Eigen::MatrixXd w(k, apart.cols() + starts.cols());
   w.leftCols(apart.cols()) = apart;
   for (Eigen::Index i = 0; i < starts.cols(); ++i)
     w.col(apart.cols() + i) = climb_kurtosis(few, starts.col(i));
 
-  // w'y = (A'w)'x: back to directions of x.
+  // w'y = (A'w)'x: transform to directions of x.
   Eigen::MatrixXd all(n, n + w.cols());
   all << Eigen::MatrixXd::Identity(n, n), (white.A.transpose() * w).colwise().normalized();
   return all;
@@ -180,15 +183,15 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
 
 namespace {
 
-constexpr Eigen::Index kMinDraws = 50;  // Fewest draws that are worth cutting
+constexpr Eigen::Index kMinDraws = 50;  // minimum number of draws of a part to be cut
 
 /// Draws of one part, chain by chain.
 struct Part {
-  Eigen::MatrixXd x;       // (n, N)
-  std::vector<int> chain;  // of each draw (N)
+  Eigen::MatrixXd x;       // draws (n, N)
+  std::vector<int> chain;  // chain of each draw (N)
 
+  /// Returns the selected draws with their chains.
   [[nodiscard]] Part where(const Eigen::Array<bool, Eigen::Dynamic, 1>& kept) const {
-    // Draws with their chains.
     std::vector<Eigen::Index> which;
     Part part;
     for (Eigen::Index i = 0; i < x.cols(); ++i)
@@ -201,21 +204,21 @@ struct Part {
   }
 };
 
-/// A plane  w'x = cut  through the valley between two clusters.
+/// Plane  w'x = cut  through the valley between two clusters.
 struct Plane {
-  Eigen::VectorXd w;  // (n); empty: nothing to cut
-  double cut = 0;
+  Eigen::VectorXd w;  // normal vector (n); empty: no cut
+  double cut = 0;     // position of the plane along w
 };
 
-/// Independent draws worth y once it is known on which side of the cut each is: what the height of
-/// a peak is known from. Moves across the valley may be as rare as they like.
+/// Returns the effective size of y within the two sides of the cut, which determines the accuracy
+/// of the peak heights. Transitions across the valley may be arbitrarily rare.
 double ess_beside(const Eigen::VectorXd& y, double cut, const std::vector<int>& chain) {
-  // Each side about its own mean.
+  // Centre each side at its own mean.
   const Eigen::ArrayXd above = (y.array() > cut).cast<double>();
   const double up = (y.array() * above).sum() / std::max(1.0, above.sum());
   const double down = (y.array() * (1 - above)).sum() / std::max(1.0, (1 - above).sum());
   const Eigen::VectorXd beside = y.array() - above * up - (1 - above) * down;
-  // Effective size, chain by chain.
+  // Sum the effective sizes of the chains.
   double ess = 0;
   for (Eigen::Index first = 0; first < y.size();) {
     Eigen::Index end = first;
@@ -227,16 +230,17 @@ double ess_beside(const Eigen::VectorXd& y, double cut, const std::vector<int>& 
   return ess;
 }
 
+/// Finds the deepest significant valley of a part along all projection directions.
 Plane find_plane(const Part& part, double min_share, const ClusterOptions& options) {
   const Eigen::MatrixXd directions = projection_directions(part.x, part.chain);
   Plane best;
   double depth = options.depth;
   for (Eigen::Index k = 0; k < directions.cols(); ++k) {
-    // A valley along this direction, deeper than the best so far.
+    // Find a valley along this direction that is deeper than the best so far.
     const Eigen::VectorXd y = part.x.transpose() * directions.col(k);
     const Valley valley = find_valley(y, min_share);
     if (valley.depth >= depth || valley.contrast < options.contrast) continue;
-    // Is it certain with draws that depend on each other?
+    // Check its significance for autocorrelated draws.
     const double worth = ess_beside(y, valley.cut, part.chain) / double(y.size());
     if (valley.contrast * std::sqrt(worth) < options.contrast) continue;
     best = {directions.col(k), valley.cut};
@@ -245,11 +249,11 @@ Plane find_plane(const Part& part, double min_share, const ClusterOptions& optio
   return best;
 }
 
-/// Every draw of every chain, or an even selection.
-Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
-  // Every so many draws of each chain.
+/// Gathers the draws of every chain, evenly thinned to at most `max_draws`.
+Part gather(const std::vector<Eigen::MatrixXd>& x, long max_draws) {
+  // Select every n-th draw of each chain.
   const Eigen::Index draws = x[0].cols();
-  const Eigen::Index each = std::max<Eigen::Index>(1, most / Eigen::Index(x.size()));
+  const Eigen::Index each = std::max<Eigen::Index>(1, max_draws / Eigen::Index(x.size()));
   const Eigen::Index every = std::max<Eigen::Index>(1, (draws + each - 1) / each);
   const Eigen::Index kept = (draws + every - 1) / every;
   Part part{Eigen::MatrixXd(x[0].rows(), kept * Eigen::Index(x.size())), {}};
@@ -261,33 +265,33 @@ Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
   return part;
 }
 
-/// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and goes on.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as parts of min_mass can be cut
-void cut(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
-         const ClusterOptions& options, Eigen::MatrixXi& labels) {
-  // Too few draws, or too light, to be cut.
+/// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and recurses.
+// NOLINTNEXTLINE(misc-no-recursion): depth is limited by min_mass
+void split_part(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
+                const ClusterOptions& options, Eigen::MatrixXi& labels) {
+  // Stop if the part has too few draws or too little mass.
   const double share = options.min_mass * total / double(part.x.cols());
   if (part.x.cols() < kMinDraws || share >= 0.5) return;
   const Plane plane = find_plane(part, share, options);
   if (plane.w.size() == 0) return;
 
-  // All draws beyond the plane, not only those looked at.
+  // Label all draws beyond the plane, including those not used to find it.
   const int beyond = labels.maxCoeff() + 1;
   for (std::size_t chain = 0; chain < x.size(); ++chain) {
     const Eigen::VectorXd y = x[chain].transpose() * plane.w;
     for (Eigen::Index i = 0; i < y.size(); ++i)
       if (labels(i, chain) == label && y[i] > plane.cut) labels(i, chain) = beyond;
   }
-  // Both sides again.
+  // Cut both sides.
   const Eigen::ArrayXd y = part.x.transpose() * plane.w;
-  cut(part.where(y <= plane.cut), total, label, x, options, labels);
-  cut(part.where(y > plane.cut), total, beyond, x, options, labels);
+  split_part(part.where(y <= plane.cut), total, label, x, options, labels);
+  split_part(part.where(y > plane.cut), total, beyond, x, options, labels);
 }
 
 }  // namespace
 
-Eigen::MatrixXi by_falling_mass(const Eigen::MatrixXi& labels) {
-  // Labels by falling count, equal ones by number.
+Eigen::MatrixXi relabel_by_mass(const Eigen::MatrixXi& labels) {
+  // Sort labels by falling count, ties by number.
   std::map<int, long> count;
   for (const int label : labels.reshaped()) ++count[label];
   std::vector<std::pair<long, int>> order;
@@ -308,11 +312,11 @@ Eigen::MatrixXi find_clusters(const std::vector<Eigen::MatrixXd>& x,
             chain.cols());
     require(chain.allFinite(), "clumps need finite draws");
   }
-  // Planes are sought among some draws and cut through all.
+  // Find planes with some draws, and cut all draws.
   const Part part = gather(x, options.draws);
   Eigen::MatrixXi labels = Eigen::MatrixXi::Zero(x[0].cols(), Eigen::Index(x.size()));
-  cut(part, double(part.x.cols()), 0, x, options, labels);
-  return by_falling_mass(labels);
+  split_part(part, double(part.x.cols()), 0, x, options, labels);
+  return relabel_by_mass(labels);
 }
 
 }  // namespace thenar

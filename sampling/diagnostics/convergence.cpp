@@ -19,7 +19,8 @@
 namespace thenar {
 namespace {
 
-/// sqrt((B / W + n - 1) / n), between- and within-chain variance [Vehtari2021 eqs. 1-4].
+/// Returns sqrt((B / W + n - 1) / n), with between- and within-chain variance [Vehtari2021 eqs.
+/// 1-4].
 double r_hat(const Eigen::MatrixXd& x) {
   const auto n = double(x.rows()), m = double(x.cols());
   const Eigen::RowVectorXd mean = x.colwise().mean();
@@ -40,7 +41,7 @@ double rank_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   if (!finite_and_varying(halves)) return kNaN;
   const double bulk = r_hat(normal_scores(halves));
 
-  // Folded about the median, chains of unequal sd differ in location.
+  // Folding about the median turns different sds of chains into different locations.
   const Eigen::MatrixXd folded = (halves.array() - quantile(sorted(halves), 0.5)).abs();
   return finite_and_varying(folded) ? std::max(bulk, r_hat(normal_scores(folded))) : bulk;
 }
@@ -65,11 +66,12 @@ double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   const double ess = quantile_ess(x, share);
   if (std::isnan(ess)) return ess;
 
-  // Where the quantile may lie, as shares of the draws: 16 and 84 % of its posterior.
+  // Interval of the quantile in shares of the draws: 16 and 84 % of its posterior.
   constexpr double kOneSigma = 0.15865525393145707;
   const double a = ess * share + 1, b = ess * (1 - share) + 1;
   const double low = beta_quantile(kOneSigma, a, b), high = beta_quantile(1 - kOneSigma, a, b);
 
+  // Convert the shares to order statistics.
   const Eigen::VectorXd rising = sorted(x);
   const auto n = double(rising.size());
   const auto first = Eigen::Index(std::floor(std::max(0.0, low * n - 1)));
@@ -77,20 +79,20 @@ double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   return (rising[last] - rising[first]) / 2;
 }
 
-// One quantity of a posterior.
+// Estimate of one quantity.
 namespace {
 
-/// Walkers of one ensemble are not independent: the worse of what chains and ensembles say.
+/// Replaces figures by the worse of those over chains and over ensembles, whose walkers are
+/// dependent.
 void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
-                    const Eigen::MatrixXd& pooled, Estimate& of) {
-  // Chains beside ensembles, for every figure.
+                    const Eigen::MatrixXd& pooled, Estimate& out) {
   const auto below = [&x](double limit) -> Eigen::MatrixXd {
     return (x.array() <= limit).cast<double>();
   };
-  of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
-  of.bulk_ess = std::min(of.bulk_ess, ensemble_ess(normal_scores(x), group));
-  of.tail_ess = std::min(
-      {of.tail_ess, ensemble_ess(below(of.q05), group), ensemble_ess(below(of.q95), group)});
+  out.r_hat = std::max(out.r_hat, rank_r_hat(pooled));
+  out.bulk_ess = std::min(out.bulk_ess, ensemble_ess(normal_scores(x), group));
+  out.tail_ess = std::min(
+      {out.tail_ess, ensemble_ess(below(out.q05), group), ensemble_ess(below(out.q95), group)});
 }
 
 }  // namespace
@@ -98,106 +100,111 @@ void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
 Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
                   const std::vector<int>& group) {
   const Eigen::MatrixXd pooled = pool_groups(x, group);
-  Estimate of{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
-  if (x.size() == 0 || !x.allFinite()) return of;
+  Estimate out{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  if (x.size() == 0 || !x.allFinite()) return out;
 
-  // Moments and quantiles.
+  // Compute moments and quantiles.
   const Eigen::VectorXd rising = sorted(x);
-  of.mean = x.mean();
-  of.sd = std::sqrt((x.array() - of.mean).square().sum() / double(x.size() - 1));
-  of.q05 = quantile(rising, 0.05);
-  of.median = quantile(rising, 0.5);
-  of.q95 = quantile(rising, 0.95);
-  if (!finite_and_varying(x)) of.sd = 0;  // alike: not even rounding of the mean
-  if (x.rows() < 4 || of.sd == 0) return of;
+  out.mean = x.mean();
+  out.sd = std::sqrt((x.array() - out.mean).square().sum() / double(x.size() - 1));
+  out.q05 = quantile(rising, 0.05);
+  out.median = quantile(rising, 0.5);
+  out.q95 = quantile(rising, 0.95);
+  if (!finite_and_varying(x)) out.sd = 0;  // all equal: avoid rounding of the mean
+  if (x.rows() < 4 || out.sd == 0) return out;
 
-  // Errors, agreement and effective sizes.
-  of.mcse_mean = mean_mcse(x, group);
-  of.mcse_sd = sd_mcse(x);
-  of.r_hat = rank_r_hat(x);
-  of.bulk_ess = bulk_ess(x);
-  of.tail_ess = tail_ess(x);
-  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, of);
-  return of;
+  // Compute errors, R-hat and effective sizes.
+  out.mcse_mean = mean_mcse(x, group);
+  out.mcse_sd = sd_mcse(x);
+  out.r_hat = rank_r_hat(x);
+  out.bulk_ess = bulk_ess(x);
+  out.tail_ess = tail_ess(x);
+  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, out);
+  return out;
 }
 
-// Whether to believe a run, and why not.
+// Assessment of a run.
 namespace {
 
-/// Quantities on the wrong side of a limit: the worst, by name, and how many share its trouble.
+/// Quantities that violate a limit: the worst one, and the number of others.
 struct Offence {
   const Estimate* worst = nullptr;
-  double figure = 0;
-  long others = -1;
+  double figure = 0;  // diagnostic of the worst one
+  long others = -1;   // number of further quantities
 
-  /// "tau and 3 more"
+  /// Returns the names of the quantities: "tau and 3 more".
   [[nodiscard]] std::string who() const {
     return others > 0 ? fmt::format("{} and {} more", worst->name, others) : worst->name;
   }
-  /// Returns the text that follows the worst figure.
+  /// Returns the text that follows the figure of the worst one.
   [[nodiscard]] std::string more() const {
     return others > 0 ? fmt::format(" (as is that of {} more)", others) : "";
   }
 };
 
-/// @param badness  of an estimate; above `limit` offends, NaN is passed over
+/// Finds the quantities with a diagnostic above a limit.
+/// @param badness  diagnostic of an estimate; NaN is ignored
 template <typename Badness>
 Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badness badness) {
   Offence found;
-  for (const Estimate& of : estimates) {
-    // NaN is no offence.
-    const double figure = badness(of);
+  for (const Estimate& each : estimates) {
+    // NaN is ignored.
+    const double figure = badness(each);
     if (!(figure > limit)) continue;
     ++found.others;
     if (found.worst && figure <= found.figure) continue;
-    found.worst = &of;
+    found.worst = &each;
     found.figure = figure;
   }
   return found;
 }
 
-/// Draws about which no figure can be told.
+/// Warns about draws for which diagnostics cannot be computed.
 void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string>& warnings) {
   const auto find = [&](auto holds) {
-    return find_offence(estimates, 0, [&](const Estimate& of) { return holds(of) ? 1.0 : 0.0; });
+    return find_offence(estimates, 0,
+                        [&](const Estimate& each) { return holds(each) ? 1.0 : 0.0; });
   };
-  // Not finite.
-  const Offence non_finite = find([](const Estimate& of) { return !std::isfinite(of.mean); });
+  // Draws that are not finite.
+  const Offence non_finite = find([](const Estimate& each) { return !std::isfinite(each.mean); });
   if (non_finite.worst)
     warnings.push_back(fmt::format("there are draws that are not finite, of {}", non_finite.who()));
-  // All alike.
-  const Offence still = find([](const Estimate& of) { return of.sd == 0; });
+  // Draws that are all equal.
+  const Offence still = find([](const Estimate& each) { return each.sd == 0; });
   if (still.worst)
     warnings.push_back(
         fmt::format("all draws of {} are alike: no chain has moved there", still.who()));
-  // No figure can be told.
-  const Offence mute = find([](const Estimate& of) {
-    return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess);
+  // Draws without diagnostics.
+  const Offence mute = find([](const Estimate& each) {
+    return each.sd > 0 && std::isnan(each.r_hat + each.bulk_ess + each.tail_ess);
   });
   if (mute.worst)
     warnings.push_back(
         fmt::format("draws of {} are too few, or too many are alike, to be judged", mute.who()));
 }
 
+/// Warns about quantities with an R-hat above the limit.
 void judge_agreement(const std::vector<Estimate>& estimates, double limit,
                      std::vector<std::string>& warnings) {
-  const Offence apart = find_offence(estimates, limit, [](const Estimate& of) { return of.r_hat; });
+  const Offence apart =
+      find_offence(estimates, limit, [](const Estimate& each) { return each.r_hat; });
   if (apart.worst)
     warnings.push_back(fmt::format("R-hat of {} is {:.4g}, above {:.4g}{}: chains disagree",
                                    apart.worst->name, apart.figure, limit, apart.more()));
 }
 
+/// Warns about effective sizes below `min_size`.
 /// @param size  member of Estimate: bulk or tail ESS
 void judge_size(const std::vector<Estimate>& estimates, const char* what, double Estimate::*size,
-                double least, std::vector<std::string>& warnings) {
+                double min_size, std::vector<std::string>& warnings) {
   const Offence few =
-      find_offence(estimates, -least, [size](const Estimate& of) { return -(of.*size); });
+      find_offence(estimates, -min_size, [size](const Estimate& each) { return -(each.*size); });
   if (few.worst)
     warnings.push_back(fmt::format("{} effective sample size of {} is {:.0f}, below {:.0f}{}", what,
-                                   few.worst->name, -few.figure, least, few.more()));
+                                   few.worst->name, -few.figure, min_size, few.more()));
 }
 
-/// Judges divergent steps. Call it last: a few divergent draws are a caution where nothing else is
+/// Reports divergent steps. Call it last: few divergent draws are only a caution if nothing else is
 /// wrong.
 void judge_steps(long steps, double allowed, Convergence& result) {
   if (result.divergent == 0) return;
@@ -213,18 +220,20 @@ void judge_steps(long steps, double allowed, Convergence& result) {
                     100 * allowed));
 }
 
-void judge_swaps(const Draws& draws, double least, std::vector<std::string>& warnings) {
+/// Warns about a swap rate below `min_rate`.
+void judge_swaps(const Draws& draws, double min_rate, std::vector<std::string>& warnings) {
   if (draws.swap_rate.size() == 0) return;
-  // The pair of neighbours that swaps least.
+  // Find the pair of neighbours with the lowest rate.
   Eigen::Index temperature_index, group;
   const double rate = draws.swap_rate.minCoeff<Eigen::PropagateNaN>(&temperature_index, &group);
-  if (!(rate >= least))
+  if (!(rate >= min_rate))
     warnings.push_back(fmt::format(
         "temperatures {} and {} of group {} swap in {:.2g} % of attempts, below "
         "{:.2g} %: hot chains do not help cold ones",
-        temperature_index + 1, temperature_index + 2, group + 1, 100 * rate, 100 * least));
+        temperature_index + 1, temperature_index + 2, group + 1, 100 * rate, 100 * min_rate));
 }
 
+/// Counts divergent and non-finite steps, and those at the depth limit.
 void count_steps(const Draws& draws, int max_depth, Convergence& result) {
   for (const auto& chain : draws.stats)
     for (const StepStats& step : chain) {
@@ -234,22 +243,22 @@ void count_steps(const Draws& draws, int max_depth, Convergence& result) {
     }
 }
 
-/// The worst figures; one that cannot be told makes all of them NaN.
+/// Finds the worst figures; if one is NaN, the result is NaN.
 void find_worst(Convergence& result) {
   result.worst_r_hat = 0;
   result.min_bulk_ess = result.min_tail_ess = std::numeric_limits<double>::infinity();
   const auto worse = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
-  for (const Estimate& of : result.estimates) {
-    result.worst_r_hat = worse(result.worst_r_hat, of.r_hat);
-    result.min_bulk_ess = -worse(-result.min_bulk_ess, -of.bulk_ess);
-    result.min_tail_ess = -worse(-result.min_tail_ess, -of.tail_ess);
+  for (const Estimate& each : result.estimates) {
+    result.worst_r_hat = worse(result.worst_r_hat, each.r_hat);
+    result.min_bulk_ess = -worse(-result.min_bulk_ess, -each.bulk_ess);
+    result.min_tail_ess = -worse(-result.min_tail_ess, -each.tail_ess);
   }
 }
 
-/// Returns whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps
-/// none.
-bool keeps_limits(const Estimate& of, double r_hat, double least_size) {
-  return of.r_hat <= r_hat && of.bulk_ess >= least_size && of.tail_ess >= least_size;
+/// Returns whether an estimate satisfies the limits of R-hat and of both effective sizes; false for
+/// NaN.
+bool keeps_limits(const Estimate& each, double r_hat, double min_size) {
+  return each.r_hat <= r_hat && each.bulk_ess >= min_size && each.tail_ess >= min_size;
 }
 
 }  // namespace
@@ -258,14 +267,14 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
                    const ConvergenceLimits& limits) {
   require(int(names.size()) == draws.size(), "{} names for {} coordinates", names.size(),
           draws.size());
-  // Figures of every coordinate, and the worst of them.
+  // Estimate every coordinate, and find the worst figures.
   Convergence result;
   for (int i = 0; i < draws.size(); ++i)
     result.estimates.push_back(estimate(names[i], draws.coordinate(i), draws.group));
   find_worst(result);
   count_steps(draws, limits.max_depth, result);
 
-  // Are there enough draws and groups to judge?
+  // Check that there are enough draws and groups.
   const long groups = long(std::set<int>(draws.group.begin(), draws.group.end()).size());
   if (draws.draws() < 4)
     result.warnings.push_back(
@@ -275,33 +284,36 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
         fmt::format("independent chains or ensembles: {}; one that is stuck shows only beside "
                     "another, so 2 are needed",
                     groups));
-  // Figures against their limits.
-  const double least = limits.ess_per_chain * double(groups);
+  // Compare the figures with their limits.
+  const double min_size = limits.ess_per_chain * double(groups);
   judge_draws(result.estimates, result.warnings);
   judge_swaps(draws, limits.swap_rate, result.warnings);
   const bool sound = result.warnings.empty();
   judge_agreement(result.estimates, limits.r_hat, result.warnings);
-  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
-  judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
-  for (const Estimate& of : result.estimates)
-    if (!keeps_limits(of, limits.r_hat, least)) result.unsettled.push_back(of.name);
+  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, min_size, result.warnings);
+  judge_size(result.estimates, "tail", &Estimate::tail_ess, min_size, result.warnings);
+  for (const Estimate& each : result.estimates)
+    if (!keeps_limits(each, limits.r_hat, min_size)) result.unsettled.push_back(each.name);
   const std::size_t of_coordinates = result.warnings.size();
   judge_steps(draws.draws() * draws.chains(), limits.divergent_share, result);
   result.draws_may_help = sound && of_coordinates > 0 && result.warnings.size() == of_coordinates;
   return result;
 }
 
-Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answers,
+Convergence settled_by_answers(Convergence convergence, const std::vector<Estimate>& answers,
                                const std::string& what, long groups,
                                const ConvergenceLimits& limits) {
-  const double least = limits.ess_per_chain * double(groups);
+  // Check the answers.
+  const double min_size = limits.ess_per_chain * double(groups);
   const bool answered =
       !answers.empty() && std::all_of(answers.begin(), answers.end(), [&](const Estimate& answer) {
-        return answer.sd == 0 || keeps_limits(answer, limits.r_hat, least);
+        return answer.sd == 0 || keeps_limits(answer, limits.r_hat, min_size);
       });
-  if (!of.draws_may_help || !answered || !(of.worst_r_hat <= limits.nuisance_r_hat)) return of;
+  if (!convergence.draws_may_help || !answered ||
+      !(convergence.worst_r_hat <= limits.nuisance_r_hat))
+    return convergence;
 
-  // The sentences stay, beside the figures of what does not mind them.
+  // Replace the warnings by one caution, with the figures of the answers.
   double worst = 0, size = std::numeric_limits<double>::infinity();
   for (const Estimate& answer : answers) {
     if (answer.sd == 0) continue;
@@ -309,17 +321,18 @@ Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answ
     size = std::min({size, answer.bulk_ess, answer.tail_ess});
   }
   std::string caution;
-  for (const std::string& warning : of.warnings) caution += warning + "; ";
-  of.cautions.push_back(fmt::format(
+  for (const std::string& warning : convergence.warnings) caution += warning + "; ";
+  convergence.cautions.push_back(fmt::format(
       "{}the {} have converged all the same (R-hat at most {:.4f}, effective sizes at least "
       "{:.0f}): use "
       "them, but not {}",
       caution, what, worst, size,
-      of.unsettled.size() == 1 ? of.unsettled.front()
-                               : fmt::format("these {} numbers themselves", of.unsettled.size())));
-  of.warnings.clear();
-  of.draws_may_help = false;
-  return of;
+      convergence.unsettled.size() == 1
+          ? convergence.unsettled.front()
+          : fmt::format("these {} numbers themselves", convergence.unsettled.size())));
+  convergence.warnings.clear();
+  convergence.draws_may_help = false;
+  return convergence;
 }
 
 }  // namespace thenar

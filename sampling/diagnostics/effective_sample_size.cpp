@@ -1,4 +1,4 @@
-// Effective sample sizes: how many independent draws would know a quantity as well.
+// Effective sample sizes.
 
 #include "sampling/diagnostics/effective_sample_size.h"
 
@@ -15,18 +15,18 @@
 namespace thenar {
 namespace {
 
-// Lags of a first trial: usually enough, and quick to compute
-constexpr Eigen::Index kFewLags = 100;
+// Number of lags of a first attempt: usually sufficient, and cheap
+constexpr Eigen::Index kInitialLagCount = 100;
 
-/// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
+/// Returns the autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
 Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {
-  // Autocovariance, mean over the chains.
+  // Average the autocovariance over the chains.
   const auto n = double(x.rows()), m = double(x.cols());
   Eigen::VectorXd covariance = Eigen::VectorXd::Zero(lags);
   for (Eigen::Index chain = 0; chain < x.cols(); ++chain)
     covariance += autocovariance(x.col(chain), lags) / m;
 
-  // Variance of all chains together, which also sees how their means differ.
+  // Compute the variance of all chains together, including differences of their means.
   const Eigen::RowVectorXd mean = x.colwise().mean();
   const double within = covariance[0] * n / (n - 1);
   const double all = covariance[0] + (mean.array() - mean.mean()).square().sum() / (m - 1);
@@ -35,28 +35,30 @@ Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index la
   return rho;
 }
 
-/// The first of the pair of lags at which the sum ends.
+/// Returns the first lag of the pair at which the sum ends.
 Eigen::Index last_pair(const Eigen::VectorXd& rho) {
   Eigen::Index lag = 0;
   while (lag + 4 < rho.size() && rho[lag] + rho[lag + 1] > 0) lag += 2;
   return lag;
 }
 
+/// Returns the autocorrelation time of all chains together.
 double time_of_all(const Eigen::MatrixXd& x) {
-  if (x.rows() > kFewLags) {
-    const Eigen::VectorXd few = autocorrelation_of_all(x, kFewLags);
+  if (x.rows() > kInitialLagCount) {
+    const Eigen::VectorXd few = autocorrelation_of_all(x, kInitialLagCount);
     if (last_pair(few) + 4 < few.size()) return autocorrelation_time(few);
   }
   return autocorrelation_time(autocorrelation_of_all(x, x.rows()));
 }
 
-/// Never above N log10 N, where the noise of rho would decide.
+/// Returns the effective size, at most N log10 N, beyond which the noise of rho dominates.
 double effective_size(const Eigen::MatrixXd& x) {
   if (!finite_and_varying(x)) return kNaN;
   const auto size = double(x.size());
   return size / std::max(time_of_all(x), 1 / std::log10(size));
 }
 
+/// Returns indicators of x <= limit.
 Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit) {
   return (x.array() <= limit).cast<double>();
 }
@@ -65,10 +67,10 @@ Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit
 
 double autocorrelation_time(const Eigen::VectorXd& rho) {
   const Eigen::Index end = last_pair(rho);
-  double sum = 0, least = std::numeric_limits<double>::infinity();
+  double sum = 0, min_pair_sum = std::numeric_limits<double>::infinity();
   for (Eigen::Index lag = 0; lag < end; lag += 2) {
-    least = std::min(least, rho[lag] + rho[lag + 1]);
-    sum += least;
+    min_pair_sum = std::min(min_pair_sum, rho[lag] + rho[lag + 1]);
+    sum += min_pair_sum;
   }
   return -1 + 2 * sum + std::max(0.0, rho[end]);
 }
@@ -82,9 +84,9 @@ double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x) {
 
 double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
   if (!finite_and_varying(x)) return kNaN;
-  const Eigen::MatrixXd pooled = pool_groups(x, group);  // walkers take turns
+  const Eigen::MatrixXd pooled = pool_groups(x, group);  // interleaves walkers
   const Eigen::Index walkers = pooled.rows() / x.rows();
-  // Means over the walkers of each group, draw by draw.
+  // Average over the walkers of each group, for each draw.
   const Eigen::MatrixXd means = pooled.reshaped(walkers, x.rows() * pooled.cols())
                                     .colwise()
                                     .mean()
@@ -117,7 +119,7 @@ double mean_efficiency(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::ve
 }
 
 double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
-  (void)split_chains(x);  // enough draws?
+  (void)split_chains(x);  // checks the number of draws
   if (!finite_and_varying(x)) return kNaN;
   return effective_size(split_chains(at_most(x, quantile(sorted(x), share))));
 }
@@ -125,7 +127,7 @@ double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
 double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   (void)split_chains(x);
   if (!finite_and_varying(x)) return kNaN;
-  // The worse of the 5 and 95 % quantiles.
+  // Return the smaller one of the 5 and 95 % quantiles.
   const Eigen::VectorXd rising = sorted(x);
   const double low = effective_size(split_chains(at_most(x, quantile(rising, 0.05))));
   const double high = effective_size(split_chains(at_most(x, quantile(rising, 0.95))));

@@ -13,7 +13,7 @@ namespace thenar {
 
 namespace {
 
-/// Efficiency of the mean of draws, chain by chain; 1: independent ones.
+/// Returns the efficiency of the mean of draws, stored chain by chain; 1 for independent draws.
 double efficiency_of_draws(const Eigen::VectorXd& x, int chains) {
   if (chains == 0) return 1;
   require(chains > 0 && x.size() % chains == 0 && x.size() / chains >= 4,
@@ -27,7 +27,7 @@ double good_pareto_shape(double draws) { return std::min(1 - 1 / std::log10(draw
 
 ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& log_ratio,
                                      int chains) {
-  // Draws where the other distribution has mass.
+  // Select draws with a finite ratio.
   std::vector<Eigen::Index> inside;
   for (Eigen::Index i = 0; i < log_ratio.size(); ++i) {
     require(!std::isnan(log_ratio[i]) && log_ratio[i] < kInfinity,
@@ -37,14 +37,14 @@ ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& lo
   }
   require(!inside.empty(), "none of {} draws can be weighed", log_ratio.size());
 
-  // Their ratios, the tail smoothed.
+  // Smooth the tail of their ratios.
   Eigen::VectorXd finite(static_cast<Eigen::Index>(inside.size()));
   for (std::size_t i = 0; i < inside.size(); ++i)
     finite[static_cast<Eigen::Index>(i)] = log_ratio[inside[i]];
   const Eigen::VectorXd ratio = (log_ratio.array() - finite.maxCoeff()).exp();
   const SmoothedWeights smoothed = smooth_weights(finite, efficiency_of_draws(ratio, chains));
 
-  // All others have no weight.
+  // Assign zero weight to all others.
   ImportanceWeights out;
   out.weight = Eigen::VectorXd::Zero(log_ratio.size());
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -63,14 +63,14 @@ WeightedSpread weighted_spread(const Eigen::Ref<const Eigen::MatrixXd>& x,
   out.mean = x * weight;
   out.sd = out.mean_shift = out.sd_ratio = out.sd_ratio_error = out.mean;
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
-    // Squares of deviations, plain and weighted.
+    // Compute squared deviations, unweighted and weighted.
     const double plain_mean = x.row(i).mean();
     const Eigen::VectorXd plain = (x.row(i).array() - plain_mean).square().matrix().transpose(),
                           about = (x.row(i).array() - out.mean[i]).square().matrix().transpose();
     const double plain_variance = plain.mean(), variance = weight.dot(about);
     require(plain_variance > 0 && variance > 0, "entry {} of the draws does not vary", i);
 
-    // Their ratio, and its error.
+    // Compute their ratio and its error.
     out.sd[i] = std::sqrt(variance);
     out.mean_shift[i] = (out.mean[i] - plain_mean) / std::sqrt(plain_variance);
     out.sd_ratio[i] = std::sqrt(variance / plain_variance);

@@ -13,23 +13,24 @@
 namespace thenar {
 namespace {
 
-constexpr double kMinToldShare = 0.05;  // Smallest share of an entry in the text [1]
-constexpr int kMaxTold = 5;             // Most entries of a direction in the text
+constexpr double kMinNamedShare = 0.05;  // minimum share of an entry in the text [1]
+constexpr int kMaxNamedEntries = 5;      // maximum number of entries in the text
 
+/// Describes a direction by its largest entries.
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
-  // Entries by falling share.
+  // Sort entries by falling share.
   std::vector<Eigen::Index> order(names.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return direction.share[a] > direction.share[b];
   });
 
-  // The largest entry stands first and positive: a direction has no sign.
+  // The sign of a direction is arbitrary: make the largest entry positive.
   const double sign = direction.v[order[0]] < 0 ? -1 : 1;
   std::string text;
-  int told = 0;
+  int named = 0;
   for (const Eigen::Index i : order) {
-    if (direction.share[i] < kMinToldShare || told++ == kMaxTold) break;
+    if (direction.share[i] < kMinNamedShare || named++ == kMaxNamedEntries) break;
     const char* joint = direction.v[i] * sign < 0 ? " - " : " + ";
     text += fmt::format("{}{:.2f} {}", text.empty() ? "" : joint, direction.share[i], names[i]);
   }
@@ -63,7 +64,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
     require(each->allFinite() && P.allFinite(), "covariances must be finite");
   }
 
-  // In prior sds first, so that units of very different size do no harm.
+  // Scale to prior sds, so that units of very different size do no harm.
   const Eigen::VectorXd scale = P.diagonal().cwiseSqrt().cwiseInverse();
   require(scale.allFinite(), "the prior covariance is not positive definite");
   const auto scaled = [&scale](const Eigen::MatrixXd& C) -> Eigen::MatrixXd {
@@ -74,8 +75,8 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
   require(factor.info() == Eigen::Success, "the prior covariance is not positive definite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled(S.first), prior);
 
-  // Directions of one half, as long as one prior sd, with their variances in the other half.
-  LearntDirections of;
+  // Take directions from one half, scaled to one prior sd, with their variances in the other half.
+  LearntDirections out;
   for (Eigen::Index k = 0; k < n; ++k) {
     LearntDirection direction;
     const Eigen::VectorXd w = eigen.eigenvectors().col(k);
@@ -83,14 +84,14 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
     direction.v = scale.cwiseProduct(w);
     direction.share = w.cwiseAbs2() / w.squaredNorm();
     direction.text = tell(names, direction);
-    of.decided += direction.sd_ratio < decided_below ? 1 : 0;
-    of.directions.push_back(direction);
+    out.decided += direction.sd_ratio < decided_below ? 1 : 0;
+    out.directions.push_back(direction);
   }
   std::stable_sort(
-      of.directions.begin(), of.directions.end(),
+      out.directions.begin(), out.directions.end(),
       [](const LearntDirection& a, const LearntDirection& b) { return a.sd_ratio < b.sd_ratio; });
-  of.effective_parameters = std::max(0.0, double(n) - factor.solve(scaled(S.all)).trace());
-  return of;
+  out.effective_parameters = std::max(0.0, double(n) - factor.solve(scaled(S.all)).trace());
+  return out;
 }
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Masses of the modes of a posterior from its draws, and warnings where they are unreliable.
+/// Masses of the modes of a posterior from its draws, with warnings if they are unreliable.
 
 #include <limits>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// A mode found before sampling, with its Laplace approximation.
+/// Mode found before sampling, with its Laplace approximation.
 struct KnownMode {
   Eigen::VectorXd centre;      // (n)
   Eigen::MatrixXd covariance;  // positive definite (n, n)
@@ -22,37 +22,39 @@ struct KnownMode {
 /// Options of tabulate_modes().
 struct ModeOptions {
   ClusterOptions clusters;
-  long min_crossings = 10;  // fewer steps into and out of a mode make its mass unreliable [1]
+  long min_crossings =
+      10;  // minimum number of steps into and out of a mode for a reliable mass [1]
 };
 
-/// One mode, described by the draws in it.
+/// Mode described by the draws in it.
 struct ModeMass {
   double mass = 0;         // share of all draws, 0..1
   double mcse = 0;         // Monte Carlo standard error of the mass; NaN: not known [1]
-  Eigen::VectorXd centre;  // mean of its draws; the known centre if it has none (n)
-  Eigen::VectorXd sd;      // of its draws; NaN below 2 (n)
-  Eigen::VectorXd visits;  // share of each chain's draws (chains)
-  long crossings = 0;      // steps of all chains into or out of it [1]
-  int known = -1;          // index among the modes known before; -1: found in the draws
+  Eigen::VectorXd centre;  // mean of its draws; without draws, the known centre (n)
+  Eigen::VectorXd sd;      // sd of its draws; NaN for fewer than 2 (n)
+  Eigen::VectorXd visits;  // share of each chain's draws in this mode (chains)
+  long crossings = 0;      // number of steps of all chains into or out of it [1]
+  int known = -1;          // index among the known modes; -1: found in the draws
 };
 
+/// Modes of the draws of a run.
 struct ModeTable {
-  std::vector<ModeMass> modes;        // heaviest first
-  Eigen::MatrixXi of_draw;            // index in `modes` (draws, chains)
-  long crossings = 0;                 // steps of all chains from one mode to another [1]
+  std::vector<ModeMass> modes;        // modes by falling mass
+  Eigen::MatrixXi of_draw;            // index in `modes` of each draw (draws, chains)
+  long crossings = 0;                 // number of steps of all chains from one mode to another [1]
   std::vector<std::string> warnings;  // sentences; empty: the masses are reliable
 };
 
-/// Assigns draws to modes. With known modes, each draw goes to the mode m of the largest normal
-/// density
+/// Assigns draws to modes. With known modes, each draw is assigned to the mode m with the largest
+/// normal density
 ///   -1/2 (x - c_m)' C_m^-1 (x - c_m) - 1/2 log |C_m|.
-/// Without known modes the draws are clustered by find_clusters(); see there for its limits.
+/// Without known modes the draws are clustered by find_clusters(), with its limitations.
 ///
-/// A mass is the mean of an indicator and has the indicator's standard error, over ensembles where
-/// draws.group says that chains are walkers. Where no chain crosses between modes, the error is
-/// meaningless: the masses only repeat where the chains began. A known mode without any draw raises
-/// a warning unless its mass promises less than one draw.
-/// @throws InputError if shapes disagree, a draw is not finite or a covariance not positive
+/// The mass is the mean of an indicator, and its error the standard error of that mean, over
+/// ensembles if draws.group says that chains are walkers. If no chain crosses between modes, the
+/// error is meaningless because the masses only reflect the initial points. A known mode without
+/// any draw raises a warning unless less than one draw is expected in it.
+/// @throws InputError if shapes disagree, a draw is not finite, or a covariance is not positive
 /// definite.
 [[nodiscard]] ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known = {},
                                        const ModeOptions& options = {});

@@ -11,7 +11,7 @@
 namespace thenar {
 
 Eigen::MatrixXd average_ranks(const Eigen::Ref<const Eigen::MatrixXd>& x) {
-  // Entries in rising order.
+  // Sort all entries.
   const Eigen::MatrixXd dense = x;
   std::vector<std::pair<double, Eigen::Index>> order(dense.size());
   for (Eigen::Index i = 0; i < dense.size(); ++i) order[i] = {dense.data()[i], i};

@@ -11,16 +11,17 @@
 namespace thenar {
 namespace {
 
+/// Chi-square statistic with its p-value.
 struct ChiSquare {
   double value, p;
 };
 
-/// Counts in even bins of the L + 1 ranks against N times the share of ranks in each.
+/// Computes the chi-square of ranks counted in equal bins of 0 .. L.
 ChiSquare chi_square_of(const Eigen::VectorXi& rank, int draws, int bins) {
   const auto edge = [&](int bin) { return int(long(bin) * (draws + 1) / bins); };
   double value = 0;
   for (int bin = 0; bin < bins; ++bin) {
-    // Ranks expected and counted in the bin.
+    // Compare expected and counted ranks of the bin.
     const int from = edge(bin), to = edge(bin + 1);
     const double expected = double(rank.size()) * (to - from) / (draws + 1);
     const double count = double((rank.array() >= from && rank.array() < to).count());
@@ -29,11 +30,11 @@ ChiSquare chi_square_of(const Eigen::VectorXi& rank, int draws, int bins) {
   return {value, bins > 1 ? chi_square_tail(value, bins - 1) : 1};
 }
 
-/// Describes mean and spread of the ranks, each beside its sd if they were uniform.
+/// Describes the larger of shift and spread of the ranks, each over its sd for uniform ranks.
 std::string shape_of(const Eigen::VectorXi& rank, int draws) {
   const Eigen::ArrayXd u = (rank.cast<double>().array() + 0.5) / (draws + 1);
   const auto n = double(u.size());
-  // A uniform u has mean 1/2, variance 1/12; (u - 1/2)^2 has the variance 1/180.
+  // A uniform u has mean 1/2 and variance 1/12; (u - 1/2)^2 has variance 1/180.
   const double shift = (u.mean() - 0.5) * std::sqrt(12 * n);
   const double spread = ((u - 0.5).square().mean() - 1.0 / 12) * std::sqrt(180 * n);
   if (std::abs(shift) > std::abs(spread)) return shift > 0 ? "too low" : "too high";
@@ -62,27 +63,27 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
                                   const CalibrationOptions& options) {
   require(Eigen::Index(names.size()) == rank.rows() && rank.size() > 0,
           "{} names for {} x {} ranks", names.size(), rank.rows(), rank.cols());
-  // Tests at this number of runs; alpha is shared among all of them.
+  // Choose the tests for this number of runs; they share alpha.
   const int points = std::min(options.points, draws);
   const int bins = std::clamp(std::min(options.bins, int(rank.cols()) / 5), 1, draws + 1);
-  const double least_p = options.alpha / (2 * double(names.size()));
+  const double max_p = options.alpha / (2 * double(names.size()));
 
   RankCalibration all;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    // Band and chi-square of one parameter.
-    const Eigen::VectorXi of = rank.row(Eigen::Index(i)).transpose();
+    // Test one parameter by band and chi-square.
+    const Eigen::VectorXi parameter_rank = rank.row(Eigen::Index(i)).transpose();
     ParameterCalibration judged;
     judged.name = names[i];
-    judged.band_p = uniform_rank_p(of, draws, points);
-    const ChiSquare counts = chi_square_of(of, draws, bins);
+    judged.band_p = uniform_rank_p(parameter_rank, draws, points);
+    const ChiSquare counts = chi_square_of(parameter_rank, draws, bins);
     judged.chi_square = counts.value;
     judged.chi_square_p = counts.p;
-    // The smaller p decides.
-    if (const double p = std::min(judged.band_p, judged.chi_square_p); p < least_p) {
-      judged.shape = shape_of(of, draws);
+    // Report the smaller p-value.
+    if (const double p = std::min(judged.band_p, judged.chi_square_p); p < max_p) {
+      judged.shape = shape_of(parameter_rank, draws);
       all.warnings.push_back(
           fmt::format("ranks of {} are not uniform (p = {:.2g}, below {:.2g}): its posterior is {}",
-                      names[i], p, least_p, judged.shape));
+                      names[i], p, max_p, judged.shape));
     }
     all.parameters.push_back(judged);
   }

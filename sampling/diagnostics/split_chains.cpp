@@ -19,12 +19,12 @@ Eigen::MatrixXd pool_groups(const Eigen::Ref<const Eigen::MatrixXd>& x,
                             const std::vector<int>& group) {
   require(Eigen::Index(group.size()) == x.cols(), "{} groups are named for {} chains", group.size(),
           x.cols());
-  // Chains of each group.
+  // Collect the chains of each group.
   std::map<int, std::vector<Eigen::Index>> walkers;
   for (Eigen::Index chain = 0; chain < x.cols(); ++chain) walkers[group[chain]].push_back(chain);
 
   if (walkers.empty()) return {};
-  // Walkers take turns, draw by draw.
+  // Interleave the walkers, draw by draw.
   const std::size_t size = walkers.begin()->second.size();
   Eigen::MatrixXd pooled(x.rows() * Eigen::Index(size), Eigen::Index(walkers.size()));
   Eigen::Index column = 0;

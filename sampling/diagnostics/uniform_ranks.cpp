@@ -9,20 +9,20 @@
 namespace thenar {
 namespace {
 
-/// Binomial probabilities by table of log factorials.
+/// Binomial probabilities from a table of log factorials.
 class Binomial {
  public:
-  explicit Binomial(int most) : log_factorial_(most + 1) {
-    for (int i = 0; i <= most; ++i) log_factorial_[i] = std::lgamma(i + 1.0);
+  explicit Binomial(int max_trials) : log_factorial_(max_trials + 1) {
+    for (int i = 0; i <= max_trials; ++i) log_factorial_[i] = std::lgamma(i + 1.0);
   }
 
-  /// P(count = c) of n with probability p in (0, 1).
+  /// Returns P(count = c) of n trials with probability p in (0, 1).
   [[nodiscard]] double at(int c, int n, double log_p, double log_rest) const {
     return std::exp(log_factorial_[n] - log_factorial_[c] - log_factorial_[n - c] + c * log_p +
                     (n - c) * log_rest);
   }
 
-  /// P(count <= c) for all c (n + 1).
+  /// Returns P(count <= c) for all c (n + 1).
   [[nodiscard]] Eigen::VectorXd cumulative(int n, double p) const {
     Eigen::VectorXd sum(n + 1);
     double total = 0;
@@ -34,7 +34,7 @@ class Binomial {
   std::vector<double> log_factorial_;
 };
 
-/// Even points of the ranks 1 .. L.
+/// Returns evenly spaced points of the ranks 1 .. L.
 Eigen::VectorXi evaluation_points(int draws, int points) {
   return Eigen::VectorXi::NullaryExpr(points, [&](Eigen::Index i) {
     return int(std::lround(double(i + 1) * (draws + 1) / (points + 1)));
@@ -47,33 +47,33 @@ struct Limits {
 };
 
 Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
-  Limits of{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
+  Limits limits{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
   for (std::size_t i = 0; i < cumulative.size(); ++i) {
-    // Smallest counts whose cumulative probability reaches the share.
+    // Find the smallest counts whose cumulative probability reaches the share.
     const Eigen::VectorXd& F = cumulative[i];
     const auto quantile = [&F](double share) {
       const auto found = std::lower_bound(F.begin(), F.end(), share) - F.begin();
       return int(std::min<Eigen::Index>(found, F.size() - 1));
     };
-    of.low[i] = quantile(gamma / 2);
-    of.high[i] = quantile(1 - gamma / 2);
+    limits.low[i] = quantile(gamma / 2);
+    limits.high[i] = quantile(1 - gamma / 2);
   }
-  return of;
+  return limits;
 }
 
-/// Probability that the counts of N uniform ranks stay within limits: counts are a Markov chain in
-/// which each rank not yet counted falls into the next part alone.
+/// Returns the probability that the counts of N uniform ranks stay within limits. Counts form a
+/// Markov chain: each rank not yet counted falls into the next interval independently.
 double stay_inside(const Limits& limits, const Eigen::VectorXi& below, int N, int draws,
                    const Binomial& binomial) {
-  // All probability is at a count of zero.
+  // Start with a count of zero.
   Eigen::VectorXd now = Eigen::VectorXd::Zero(N + 1), next;
   now[0] = 1;
   int first = 0, last = 0, before = 0;
   for (Eigen::Index i = 0; i < below.size(); ++i) {
-    // Probability that a rank not yet counted falls into this part.
+    // Probability that a rank not yet counted falls into this interval.
     const double p = double(below[i] - before) / (draws + 1 - before);
     const double log_p = std::log(p), log_rest = std::log1p(-p);
-    // From each count within the limits to each count within the next.
+    // Propagate the counts within the limits.
     next = Eigen::VectorXd::Zero(N + 1);
     for (int c = first; c <= last; ++c)
       for (int to = std::max(c, limits.low[i]); now[c] > 0 && to <= limits.high[i]; ++to)
@@ -88,9 +88,10 @@ double stay_inside(const Limits& limits, const Eigen::VectorXi& below, int N, in
 
 std::vector<Eigen::VectorXd> cumulative_at(const Eigen::VectorXi& below, int N, int draws,
                                            const Binomial& binomial) {
-  std::vector<Eigen::VectorXd> of;
-  for (const int point : below) of.push_back(binomial.cumulative(N, double(point) / (draws + 1)));
-  return of;
+  std::vector<Eigen::VectorXd> distributions;
+  for (const int point : below)
+    distributions.push_back(binomial.cumulative(N, double(point) / (draws + 1)));
+  return distributions;
 }
 
 void check(int ranks, int draws, int points) {
@@ -108,12 +109,12 @@ Eigen::VectorXi count_below(const Eigen::VectorXi& rank, const Eigen::VectorXi& 
 RankBand uniform_rank_band(int ranks, int draws, int points, double level) {
   check(ranks, draws, points);
   require(level > 0 && level < 1, "a band's level lies in (0, 1), got {}", level);
-  // Evaluation points, and the distribution of the count at each.
+  // Compute the distribution of the count at each evaluation point.
   const Binomial binomial(ranks);
   RankBand band{evaluation_points(draws, points), {}, {}, 0};
   const auto cumulative = cumulative_at(band.below, ranks, draws, binomial);
 
-  // All points at once stray at most as often as each alone, summed: gamma lies in between.
+  // The probability of leaving anywhere is at most the sum over the points, which brackets gamma.
   double narrow = 1 - level, wide = (1 - level) / points;
   for (int i = 0; i < 25; ++i) {
     const double gamma = std::sqrt(narrow * wide);
@@ -121,7 +122,7 @@ RankBand uniform_rank_band(int ranks, int draws, int points, double level) {
         stay_inside(limits_at(gamma, cumulative), band.below, ranks, draws, binomial);
     (inside >= level ? wide : narrow) = gamma;
   }
-  // The widest gamma that still holds.
+  // Take the largest feasible gamma.
   const Limits limits = limits_at(wide, cumulative);
   band.low = limits.low;
   band.high = limits.high;
@@ -133,21 +134,21 @@ double uniform_rank_p(const Eigen::VectorXi& rank, int draws, int points) {
   check(int(rank.size()), draws, points);
   require(rank.minCoeff() >= 0 && rank.maxCoeff() <= draws, "ranks lie in 0..{}, got {} to {}",
           draws, rank.minCoeff(), rank.maxCoeff());
-  // Counts at the evaluation points.
+  // Count at the evaluation points.
   const int N = int(rank.size());
   const Binomial binomial(N);
   const Eigen::VectorXi below = evaluation_points(draws, points);
   const auto cumulative = cumulative_at(below, N, draws, binomial);
   const Eigen::VectorXi count = count_below(rank, below);
 
-  // The least of the two tails at any point, the count itself included.
+  // Find the smallest tail probability at any point, including the count itself.
   double tail = 1;
   for (Eigen::Index i = 0; i < below.size(); ++i) {
     const Eigen::VectorXd& F = cumulative[i];
     tail = std::min({tail, F[count[i]], 1 - (count[i] > 0 ? F[count[i] - 1] : 0)});
   }
 
-  // Limits just inside of it: counts whose smaller tail is larger.
+  // Find the limits just inside: counts with a larger tail probability.
   Limits inside{Eigen::VectorXi(below.size()), Eigen::VectorXi(below.size())};
   const double more = tail * (1 + 1e-9);
   for (std::size_t i = 0; i < cumulative.size(); ++i) {

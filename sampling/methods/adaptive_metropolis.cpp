@@ -7,18 +7,18 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kProposalStream = 0;  // Purpose of the random stream of proposals
+constexpr std::uint32_t kProposalStream = 0;  // purpose of the random stream of proposals
 // Optimal acceptance rate in many dimensions [1] [Roberts1997]
 constexpr double kBestAcceptance = 0.234;
 
-/// Shape of the target that one chain has learnt.
+/// Shape of the target estimated by one chain.
 struct ProposalShape {
-  Eigen::VectorXd mean;  // (n)
-  Eigen::MatrixXd L;     // L L' the covariance, L lower triangular (n, n)
-  double log_scale;      // of the proposals, in roots of L L' [1]
+  Eigen::VectorXd mean;  // mean of past states (n)
+  Eigen::MatrixXd L;     // Cholesky factor of the covariance L L' (n, n)
+  double log_scale;      // logarithm of the proposal scale relative to L [1]
 };
 
-/// L becomes the root of L L' + v v', by one rotation for each column.
+/// Updates L to the Cholesky factor of L L' + v v' by one rotation per column.
 void add_square(Eigen::MatrixXd& L, Eigen::VectorXd v) {
   for (Eigen::Index k = 0; k < v.size(); ++k) {
     const double r = std::hypot(L(k, k), v[k]), c = L(k, k) / r, s = v[k] / r;
@@ -30,17 +30,19 @@ void add_square(Eigen::MatrixXd& L, Eigen::VectorXd v) {
   }
 }
 
-/// Normal proposals  x' = x + s L w,  w ~ N(0, I), with L L' the covariance of the chain's past
-/// [Haario2001] and s from the search of Robbins and Monro for the wanted acceptance, both as
-/// [Andrieu2008, algorithm 4] has them; every chain learns from itself alone.
+/// Adaptive Metropolis sampler with normal proposals  x' = x + s L w,  w ~ N(0, I). L L' is the
+/// covariance of the chain's past [Haario2001], and s is adapted by a Robbins-Monro search for the
+/// target acceptance, both as in [Andrieu2008, algorithm 4]. Every chain adapts separately.
 ///
-/// Departures: the weight of step t in the covariance is 2 / (t + 10 n), so that early steps are
-/// forgotten as 1 / t^2 and the guess counts for its first 10 n; after warm-up nothing is learnt.
+/// Differences: the weight of step t in the covariance is 2 / (t + 10 n), so that early steps are
+/// forgotten as 1 / t^2, and the initial covariance counts for the first 10 n steps; adaptation
+/// ends after warm-up.
 class AdaptiveMetropolis final : public Metropolis {
  public:
   AdaptiveMetropolis(const Eigen::MatrixXd& starts, const SamplerOptions& options)
       : Metropolis(starts, options) {
-    const double scale = 2.38 / std::sqrt(double(size()));  // best for a normal [Roberts1997]
+    const double scale =
+        2.38 / std::sqrt(double(size()));  // optimal for a normal target [Roberts1997]
     for (int k = 0; k < chains(); ++k)
       shapes_.push_back(
           {starts.col(k), initial_covariance_factor(options, size()), std::log(scale)});
@@ -50,7 +52,7 @@ class AdaptiveMetropolis final : public Metropolis {
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
-      // A normal step in the shape that the chain has learnt.
+      // Take a normal step with the estimated covariance.
       const ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
       RandomStream draw = random(k, kProposalStream);
       Eigen::VectorXd w(size());
@@ -62,30 +64,30 @@ class AdaptiveMetropolis final : public Metropolis {
   }
 
   void learn(const Eigen::MatrixXd& /*before*/) override {
-    // Weights fall with the steps; the wanted acceptance is the method's own unless told.
+    // Weights decrease with the steps.
     const double t = double(steps()) + 1;
     const double weight = 2 / (t + 10 * size()), gain = std::pow(t, -0.6);
     const double target =
         options().target_acceptance > 0 ? options().target_acceptance : kBestAcceptance;
     for (int k = 0; k < chains(); ++k) {
-      if (!inside(k)) continue;
+      if (!has_density(k)) continue;
       ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
-      // Mean and covariance of the chain's past.
+      // Update mean and covariance of the chain's past.
       const Eigen::VectorXd off = positions().col(k) - shape.mean;
       shape.mean += weight * off;
-      // C becomes (1 - weight) C + weight off off'.
+      // Update C to (1 - weight) C + weight off off'.
       shape.L *= std::sqrt(1 - weight);
       add_square(shape.L, std::sqrt(weight) * off);
-      // The scale rises where more is accepted than wanted.
+      // Increase the scale if the acceptance is above the target.
       shape.log_scale += gain * (stats()[static_cast<std::size_t>(k)].acceptance - target);
     }
   }
 
   void save_learnt(StateWriter& to) const override {
     for (const ProposalShape& shape : shapes_) {
-      to.put(shape.mean);
-      to.put(shape.L);
-      to.put(shape.log_scale);
+      to.write(shape.mean);
+      to.write(shape.L);
+      to.write(shape.log_scale);
     }
   }
 

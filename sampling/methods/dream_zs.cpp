@@ -8,36 +8,37 @@
 namespace thenar::internal {
 namespace {
 
-// Purposes of the random streams of candidates and of the first archive
+// Purposes of the random streams of proposals and of the initial archive
 constexpr std::uint32_t kCandidateStream = 0, kArchiveStream = 1;
-constexpr int kArchiveInterval = 10;  // Steps between states that go to the archive [Vrugt2016]
-constexpr int kFirstStates = 10;      // States of the archive before the first step, over n
-// Number of crossover probabilities: 1/3, 2/3 and 1 that an entry changes
+constexpr int kArchiveInterval = 10;  // steps between states added to the archive [Vrugt2016]
+constexpr int kFirstStates = 10;      // number of initial states of the archive, over n
+// Number of crossover probabilities: an entry changes with probability 1/3, 2/3 or 1
 constexpr int kCrossoverCount = 3;
-constexpr int kMaxPairs = 3;           // Most differences that a jump adds
-constexpr double kSnookerShare = 0.1;  // Share of snooker updates [1]
-// Share of jumps of a whole difference, from mode to mode [1]
+constexpr int kMaxPairs = 3;           // maximum number of differences in a jump
+constexpr double kSnookerShare = 0.1;  // share of snooker updates [1]
+// Share of jumps by a full difference, between modes [1]
 constexpr double kLongJumpShare = 0.2;
-constexpr double kStretchSpread = 0.1;  // Largest difference from 1 of the factor on a jump [1]
-// sd of the noise added to a jump, in roots of the guessed covariance
+constexpr double kStretchSpread = 0.1;  // maximum relative deviation of the factor on a jump [1]
+// Sd of the noise added to a jump, relative to the root of the initial covariance
 constexpr double kJitterSd = 1e-6;
 
-/// Differential evolution from an archive of past states  [TerBraak2008, Vrugt2009]:
-///   x' = x + (1 + e) g sum_pairs (z_a - z_b) + jitter  in a random part of the entries,
+/// DREAM(ZS): differential evolution with an archive of past states  [TerBraak2008, Vrugt2009]:
+/// x' = x + (1 + e) g sum_pairs (z_a - z_b) + jitter  in a random subset of the entries,
 ///   with g = 2.38 / sqrt(2 pairs entries);
-///   x' = x + z_a - z_b + jitter, from mode to mode; or
+///   x' = x + z_a - z_b + jitter, between modes; or
 ///   x' = x + g P(z_a - z_b), P onto the line x - z,  accepted by (|x' - z| / |x - z|)^(n-1) p'/p.
 ///
-/// In warm-up every tenth state joins the archive, of which the older half of what joined is
-/// left out, and the shares of the crossovers are learnt from how far they carry. Afterwards both
-/// are frozen: the archive is then a constant, jumps are symmetric, and the chain is an ordinary
-/// Metropolis chain with an exact limit, as [TerBraak2008] proves only for an archive that grows.
+/// During warm-up, every tenth state is added to the archive, of which the older half of the added
+/// states is ignored, and the crossover probabilities are adapted to the distance that they
+/// achieve. Afterwards both are fixed: the archive is constant, jumps are symmetric, and the chain
+/// is an ordinary Metropolis chain with the exact limit, which [TerBraak2008] proves only for a
+/// growing archive.
 class DreamZs final : public Metropolis {
  public:
   DreamZs(const Eigen::MatrixXd& starts, const SamplerOptions& options)
       : Metropolis(starts, options), root_(initial_covariance_factor(options, size())) {
     require(chains() >= 3, "differential evolution needs at least 3 chains, got {}", chains());
-    // The archive begins with the starts, scattered by the guessed covariance.
+    // Fill the archive with the starts plus noise of the initial covariance.
     first_ = std::max(kFirstStates * size(), 2 * kMaxPairs + 1);
     RandomStream draw = random(0, kArchiveStream);
     for (int i = 0; i < first_; ++i) {
@@ -45,7 +46,7 @@ class DreamZs final : public Metropolis {
       for (double& entry : w) entry = draw.normal();
       append(starts.col(i % chains()) + root_ * w);
     }
-    // Crossovers with equal shares.
+    // Start with equal crossover probabilities.
     carried_.setZero(kCrossoverCount);
     used_.setZero(kCrossoverCount);
     share_.setConstant(kCrossoverCount, 1.0 / kCrossoverCount);
@@ -61,10 +62,10 @@ class DreamZs final : public Metropolis {
     archive_.insert(archive_.end(), x.data(), x.data() + x.size());
   }
 
-  /// Different states of the archive, not older than its first half.
+  /// Picks different states of the archive, except from the older half of the added ones.
   template <std::size_t count>
   [[nodiscard]] std::array<int, count> pick(RandomStream& draw) const {
-    // Drawn again until it differs from those before.
+    // Draw again until the state differs from the previous ones.
     const int all = states(), oldest = (all - first_) / 2;
     std::array<int, count> picked;
     for (std::size_t i = 0; i < count; ++i) {
@@ -78,21 +79,21 @@ class DreamZs final : public Metropolis {
     return picked;
   }
 
-  /// Some entries of a sum of differences of the archive; each entry by chance, one at least.
+  /// Returns a sum of differences of the archive in a random subset of entries, at least one.
   Eigen::VectorXd jump(int k, RandomStream& draw) {
-    // The crossover by its share.
+    // Draw the crossover.
     int& m = crossover_[static_cast<std::size_t>(k)];
     double left = draw.uniform();
     for (m = 0; m < kCrossoverCount - 1 && left >= share_[m]; ++m) left -= share_[m];
 
-    // A sum of differences between states.
+    // Sum differences between states.
     const int pairs = 1 + draw.index(kMaxPairs), sure = draw.index(size());
     const auto picked = pick<2 * kMaxPairs>(draw);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
     for (std::size_t i = 0; i < 2 * std::size_t(pairs); i += 2)
       sum += state(picked[i]) - state(picked[i + 1]);
 
-    // Only some entries jump; the scale is the best for as many.
+    // Keep a random subset of entries; the scale is optimal for their number.
     int entries = 0;
     for (int i = 0; i < size(); ++i) {
       const bool moves = draw.uniform() * kCrossoverCount < m + 1 || i == sure;
@@ -103,29 +104,30 @@ class DreamZs final : public Metropolis {
     return stretch * 2.38 / std::sqrt(2.0 * pairs * entries) * sum;
   }
 
-  /// One whole difference: from mode to mode.
+  /// Returns one full difference, to jump between modes.
   Eigen::VectorXd long_jump(int k, RandomStream& draw) {
     crossover_[static_cast<std::size_t>(k)] = -1;
     const auto [a, b] = pick<2>(draw);
     return state(a) - state(b);
   }
 
-  /// A jump along the line to a state of the archive, and its log_proposal_ratio.
+  /// Returns a jump along the line to a state of the archive, and its log_proposal_ratio.
   std::pair<Eigen::VectorXd, double> snooker(int k, RandomStream& draw) {
     crossover_[static_cast<std::size_t>(k)] = -1;
     const auto [anchor, a, b] = pick<3>(draw);
-    // Along the line from the anchor to the chain.
+    // Project on the line from the anchor to the chain.
     const Eigen::VectorXd line = positions().col(k) - state(anchor);
     const double length = line.norm(), g = 1.2 + draw.uniform();
     if (length == 0) return {Eigen::VectorXd::Zero(size()), 0};
-    const double along = g * line.dot(state(a) - state(b)) / (length * length);  // in lengths
+    const double along =
+        g * line.dot(state(a) - state(b)) / (length * length);  // relative to the length
     return {along * line, (size() - 1) * std::log(std::abs(1 + along))};
   }
 
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
-      // Which of the three kinds?
+      // Choose the kind of jump.
       RandomStream draw = random(k, kCandidateStream);
       to.chain.push_back(k);
       const double kind = draw.uniform();
@@ -136,7 +138,7 @@ class DreamZs final : public Metropolis {
         continue;
       }
       to.x.col(k) += kind < kSnookerShare + kLongJumpShare ? long_jump(k, draw) : jump(k, draw);
-      // A little jitter, so that any point can be reached.
+      // Add jitter, so that every point can be reached.
       Eigen::VectorXd w(size());
       for (double& entry : w) entry = kJitterSd * draw.normal();
       to.x.col(k) += root_ * w;
@@ -145,34 +147,34 @@ class DreamZs final : public Metropolis {
   }
 
   void learn(const Eigen::MatrixXd& before) override {
-    // How far each crossover carries, in sds of the chains.
+    // Measure the squared jump distance of each crossover, in sds of the chains.
     const Eigen::VectorXd mean = positions().rowwise().mean();
     const Eigen::VectorXd variance =
         (positions().colwise() - mean).rowwise().squaredNorm() / (chains() - 1);
     for (int k = 0; k < chains(); ++k) {
       const int m = crossover_[static_cast<std::size_t>(k)];
-      if (m < 0 || !inside(k)) continue;
+      if (m < 0 || !has_density(k)) continue;
       const Eigen::VectorXd moved = positions().col(k) - before.col(k);
       for (int i = 0; i < size(); ++i)
         if (variance[i] > 0) carried_[m] += moved[i] * moved[i] / variance[i];
       used_[m] += 1;
     }
-    // Shares in proportion to that, once all have been used.
+    // Set the probabilities in proportion, once all have been used.
     if (used_.minCoeff() > 0 && carried_.minCoeff() > 0) {
       share_ = carried_.cwiseQuotient(used_);
       share_ /= share_.sum();
     }
-    // Every tenth state joins the archive.
+    // Add every tenth state to the archive.
     if ((steps() + 1) % kArchiveInterval != 0) return;
     for (int k = 0; k < chains(); ++k)
-      if (inside(k)) append(positions().col(k));
+      if (has_density(k)) append(positions().col(k));
   }
 
   void save_learnt(StateWriter& to) const override {
-    to.put(Eigen::Map<const Eigen::MatrixXd>(archive_.data(), size(), states()));
-    to.put(carried_);
-    to.put(used_);
-    to.put(share_);
+    to.write(Eigen::Map<const Eigen::MatrixXd>(archive_.data(), size(), states()));
+    to.write(carried_);
+    to.write(used_);
+    to.write(share_);
   }
 
   void restore_learnt(StateReader& from) override {
@@ -186,12 +188,13 @@ class DreamZs final : public Metropolis {
     share_ = saved_vector(from, "shares of crossovers", kCrossoverCount);
   }
 
-  Eigen::MatrixXd root_;            // of the guessed covariance (n, n)
-  int first_ = 0;                   // states of the archive before the first step
-  std::vector<double> archive_;     // states one after the other (n states)
+  Eigen::MatrixXd root_;            // Cholesky factor of the initial covariance (n, n)
+  int first_ = 0;                   // number of initial states of the archive
+  std::vector<double> archive_;     // states stored one after another (n * states)
   Eigen::VectorXd carried_, used_;  // squared distance and number of jumps of each crossover
-  Eigen::VectorXd share_;           // of each crossover, sum 1
-  std::vector<int> crossover_;      // of each chain's current proposal; -1: snooker
+  Eigen::VectorXd share_;           // probability of each crossover, sum 1
+  std::vector<int>
+      crossover_;  // crossover of each chain's current proposal; -1: another kind of jump
 };
 
 }  // namespace

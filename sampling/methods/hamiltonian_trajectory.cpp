@@ -9,7 +9,7 @@ namespace thenar::internal {
 
 void begin_leapfrog(PhasePoint& point, const Whitening& whitening, double step) {
   point.r += 0.5 * step * point.slope;
-  if (!whitening.orbits()) {
+  if (!whitening.follows_orbits()) {
     point.y += step * point.r;
     return;
   }
@@ -29,46 +29,48 @@ void end_leapfrog(PhasePoint& point, const Whitening& whitening, const Eigen::Ve
 
 namespace {
 
+/// Trajectories of jittered fixed length.
 class JitteredLength : public HamiltonianTrajectory {
  public:
   void start(const PhasePoint& from, double step, RandomStream& random) override {
-    constexpr double kMaxSteps = 1000;  // Most leapfrog steps of a trajectory
-    // As many leapfrogs as the jittered length takes.
+    constexpr double kMaxSteps = 1000;  // maximum number of leapfrog steps of a trajectory
+    // Divide the jittered length into equal leapfrog steps.
     point_ = from;
     const double length = kPi / 2 * (0.9 + 0.7 * random.uniform());
     left_ = static_cast<int>(std::clamp(std::ceil(length / step), 1.0, kMaxSteps));
     leap_ = std::min(step, length / left_);
-    acceptance_sum_ = told_ = 0;
+    acceptance_sum_ = point_count_ = 0;
   }
 
-  PhasePoint& moving() override { return point_; }
-  [[nodiscard]] double leap() const override { return leap_; }
+  PhasePoint& moving_point() override { return point_; }
+  [[nodiscard]] double leapfrog_length() const override { return leap_; }
 
-  Verdict judge(double energy_error, RandomStream& random) override {
-    ++told_;
-    // A divergent trajectory is refused.
+  Verdict assess_point(double energy_error, RandomStream& random) override {
+    ++point_count_;
+    // Reject a divergent trajectory.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     const double acceptance = std::min(1.0, std::exp(-energy_error));
     acceptance_sum_ += acceptance;
-    // The end is accepted or refused.
+    // Accept or reject the end point.
     if (--left_ > 0) return {};
     return {true, random.uniform() < acceptance, true};
   }
 
-  // Of the end alone, no step size would be small enough where trajectories hit a wall.
-  [[nodiscard]] double acceptance() const override { return acceptance_sum_ / told_; }
+  // Mean over all points: the end point alone would drive the step size to zero if trajectories hit
+  // a wall.
+  [[nodiscard]] double acceptance() const override { return acceptance_sum_ / point_count_; }
   [[nodiscard]] int depth() const override { return 0; }
 
  private:
   PhasePoint point_;
-  int left_ = 0;     // leapfrogs [1]
-  double leap_ = 0;  // length of each [1]
-  double acceptance_sum_ = 0, told_ = 0;
+  int left_ = 0;                                 // remaining leapfrog steps [1]
+  double leap_ = 0;                              // length of a leapfrog step [1]
+  double acceptance_sum_ = 0, point_count_ = 0;  // sum over the points so far, and their number
 };
 
 }  // namespace
 
-std::unique_ptr<HamiltonianTrajectory> jittered_length() {
+std::unique_ptr<HamiltonianTrajectory> jittered_trajectory() {
   return std::make_unique<JitteredLength>();
 }
 

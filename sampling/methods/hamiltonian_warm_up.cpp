@@ -8,11 +8,12 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kMinAdaptiveSteps = 20;  // Fewest steps of a warm-up that learns a metric
-// Along orbits two leapfrogs of this length are the longest trajectory of JitteredLength, and four
-// points of a tree of NUTS see that they turn [rad].
+constexpr long kMinAdaptiveSteps = 20;  // minimum length of a warm-up that adapts the metric
+// Maximum length of a leapfrog step along orbits [rad]: two such steps are the longest trajectory
+// of JitteredLength, and four points of a NUTS tree detect a U-turn.
 constexpr double kLongestTurn = 0.8 * kPi / 2;
 
+/// Returns the length of the first window [steps].
 int first_window(Metric metric, int n) {
   return metric == Metric::kDense ? std::max(25, 2 * n) : 25;
 }
@@ -21,13 +22,13 @@ int first_window(Metric metric, int n) {
 
 MetricWindows metric_windows(long warm_up, int first_window) {
   if (warm_up < kMinAdaptiveSteps) return {warm_up, {}};
-  // Between the steps that find the typical set and those that settle the step size.
+  // Windows lie between the initial steps and those that adapt the step size.
   MetricWindows windows;
   windows.first = std::min<long>(20, warm_up * 15 / 100);
   const long last = warm_up - std::min<long>(50, warm_up * 35 / 100);
   long begin = windows.first;
   for (long length = first_window; begin < last; length *= 2) {
-    // A window that leaves no room for the next, which has twice the length, takes all.
+    // Extend a window to the end if the next one, of twice the length, would not fit.
     const long end = begin + 3 * length <= last ? begin + length : last;
     windows.ends.push_back(end);
     begin = end;
@@ -46,18 +47,16 @@ WarmUp::WarmUp(const Eigen::VectorXd& start, double target_acceptance,
   search_.start(1);
 }
 
-double WarmUp::greatest_step() const { return whitening_.orbits() ? kLongestTurn : kInfinity; }
+double WarmUp::max_step() const { return whitening_.follows_orbits() ? kLongestTurn : kInfinity; }
 
-double WarmUp::step() const {
-  return std::min(searching_ ? search_.step() : step_, greatest_step());
-}
+double WarmUp::step() const { return std::min(searching_ ? search_.step() : step_, max_step()); }
 
 void WarmUp::learn_trial(double energy_error) {
-  // The search ends at the greatest step.
-  const bool longest = search_.step() >= greatest_step();
+  // End the search at the maximum step size.
+  const bool longest = search_.step() >= max_step();
   if (!search_.learn(energy_error) && !longest) return;
   searching_ = false;
-  // Ten times as much is tried soon, which a short warm-up would not recover from.
+  // In a short warm-up, start cautiously: dual averaging soon tries ten times the step size.
   const bool brief = steps_ < kMinAdaptiveSteps;
   step_ = brief ? search_.step() / 2 : search_.step();
   averaging_.restart(step_, brief ? 1 : 10);
@@ -66,20 +65,20 @@ void WarmUp::learn_trial(double energy_error) {
 bool WarmUp::learn(long step, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                    double acceptance) {
   if (step > steps_) return false;
-  averaging_.learn(acceptance, greatest_step());
+  averaging_.learn(acceptance, max_step());
   step_ = averaging_.step();
-  // Draws within windows are gathered; each window's end learns the metric anew.
+  // Collect draws within windows, and update the metric at the end of each one.
   if (step > windows_.first && !metric_settled(step - 1)) draws_.add(x, gradient);
   return std::binary_search(windows_.ends.begin(), windows_.ends.end(), step) && learn_metric();
 }
 
-void WarmUp::settle(long step) {
+void WarmUp::freeze_after_warm_up(long step) {
   if (step < steps_) return;
-  // A search that is not over ends with its next try, otherwise the average stays.
+  // End an unfinished search with its next trial; otherwise use the averaged step size.
   if (searching_)
     step_ = search_.step();
   else if (step == steps_)
-    step_ = averaging_.averaged();
+    step_ = averaging_.averaged_step();
   searching_ = false;
 }
 
@@ -88,10 +87,10 @@ bool WarmUp::metric_settled(long steps) const {
 }
 
 bool WarmUp::learn_metric() {
-  // In another metric the step size is searched again.
+  // Restart the step-size search after a change of the metric.
   const bool learnt = learn_whitening(draws_, whitening_);
   if (learnt) {
-    search_.start(std::min(step_, greatest_step()));
+    search_.start(std::min(step_, max_step()));
     searching_ = true;
   }
   draws_.clear();
@@ -102,9 +101,9 @@ void WarmUp::save(StateWriter& to) const {
   whitening_.save(to);
   draws_.save(to);
   averaging_.save(to);
-  to.put(search_.step());
-  to.put(step_);
-  to.put(std::int64_t{searching_ ? 1 : 0});
+  to.write(search_.step());
+  to.write(step_);
+  to.write(std::int64_t{searching_ ? 1 : 0});
 }
 
 void WarmUp::restore(StateReader& from) {

@@ -27,8 +27,8 @@ void WindowDraws::add(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient)
 }
 
 void WindowDraws::save(StateWriter& to) const {
-  to.put(x());
-  to.put(gradient());
+  to.write(x());
+  to.write(gradient());
 }
 
 void WindowDraws::restore(StateReader& from) {
@@ -54,22 +54,22 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Largest ratio of a variance to that of the draws; slopes set no bound where the density is
-// flat [1]
+// Maximum ratio of a variance to that of the draws, because gradients do not bound it where the
+// density is flat [1]
 constexpr double kMaxVarianceRatio = 2;
 
-/// Draws in linear coordinates z, and gradients by them (n, N).
+/// Draws in linear coordinates z, and gradients by z (n, N).
 struct Whitened {
   MatrixXd z, gradient;
 
   [[nodiscard]] MatrixXd residual() const { return z + gradient; }
 };
 
-/// Draws and gradients by x (n, N).
+/// Draws, and gradients by x (n, N).
 struct Window {
   MatrixXd x, gradient;
 
-  /// Every other draw, from the first or the second on.
+  /// Returns every other draw, starting with the first or the second.
   [[nodiscard]] Window half(Index first) const {
     const Index count = (x.cols() - first + 1) / 2;
     Window out{MatrixXd(x.rows(), count), MatrixXd(x.rows(), count)};
@@ -84,33 +84,34 @@ struct Window {
 /// Affine coordinates:  x = c + F z.
 struct Affine {
   VectorXd centre;
-  MatrixXd factor, inverse;  // F, F^-1
+  MatrixXd factor, inverse;  // F and F^-1
 
+  /// Transforms a window to z.
   [[nodiscard]] Whitened whitened(const Window& window) const {
     return {inverse * (window.x.colwise() - centre), factor.transpose() * window.gradient};
   }
-  /// Mean of |F' g + z|^2.
+  /// Returns the mean of |F' g + z|^2.
   [[nodiscard]] double left(const Window& window) const {
     return whitened(window).residual().squaredNorm() / static_cast<double>(window.x.cols());
   }
 };
 
-/// The centre is where the mean gradient would be zero.
+/// Chooses the centre such that the mean gradient vanishes.
 Affine centred(const Window& window, MatrixXd factor, MatrixXd inverse) {
   const VectorXd mean = window.x.rowwise().mean();
   const VectorXd shift = factor.transpose() * window.gradient.rowwise().mean();
   return {mean + factor * shift, std::move(factor), std::move(inverse)};
 }
 
-/// F F' = Sigma # C_g^-1; none if the draws span too little.
+/// Fits F F' = Sigma # C_g^-1; nothing if the draws do not span the space.
 std::optional<Affine> fit_dense(const Window& window, const MatrixXd& before) {
-  // White by the covariance.
+  // Whiten by the covariance.
   const auto count = static_cast<double>(window.x.cols());
   const Eigen::LLT<MatrixXd> cholesky(shrunk_covariance(window.x, before));
   if (cholesky.info() != Eigen::Success) return {};
   const MatrixXd L = cholesky.matrixL(), gradient = L.transpose() * window.gradient;
-  // There, I # C^-1 is the inverse root of the gradients' covariance, and its factor the root of
-  // that. Gradients count as if five more had covariance I.
+  // In these coordinates, I # C^-1 is the inverse square root of the gradients' covariance. Shrink
+  // the covariance as if by five more gradients of covariance I.
   const MatrixXd off = gradient.colwise() - gradient.rowwise().mean();
   const MatrixXd I = MatrixXd::Identity(off.rows(), off.rows());
   const MatrixXd covariance = (off * off.transpose() + 5 * I) / (count + 5);
@@ -124,12 +125,12 @@ std::optional<Affine> fit_dense(const Window& window, const MatrixXd& before) {
   return centred(window, L * root, inverse_root * cholesky.matrixL().solve(I));
 }
 
-/// The factor before with columns of other lengths, s^4 = variance of z over that of gradients by
-/// z, which leaves the least; each as if five more draws had variance 1.
+/// Rescales the columns of the previous factor by s^4 = variance of z over that of gradients by z,
+/// which minimises the residual; variances are shrunk as if by five more draws of variance 1.
 std::optional<Affine> fit_scales(const Window& window, const Whitening& before) {
   const auto count = static_cast<double>(window.x.cols());
-  const auto variances = [count](const MatrixXd& of) -> Eigen::ArrayXd {
-    const MatrixXd off = of.colwise() - of.rowwise().mean();
+  const auto variances = [count](const MatrixXd& sample) -> Eigen::ArrayXd {
+    const MatrixXd off = sample.colwise() - sample.rowwise().mean();
     return (off.rowwise().squaredNorm().array() + 5) / (count + 5);
   };
   const Eigen::ArrayXd variance = variances(before.inverse() * window.x),
@@ -140,8 +141,8 @@ std::optional<Affine> fit_scales(const Window& window, const Whitening& before) 
                  scale.cwiseInverse().asDiagonal() * before.inverse());
 }
 
-/// Dense where there are draws enough, and it leaves less than scales do of gradients at draws that
-/// neither was fitted to.
+/// Fits a dense factor if there are enough draws, and if it leaves a smaller residual than
+/// rescaling on held-out draws.
 std::optional<Affine> fit_affine(const Window& window, const Whitening& before) {
   const Index n = window.x.rows();
   if (window.x.cols() < 2 * n) return fit_scales(window, before);
@@ -154,9 +155,9 @@ std::optional<Affine> fit_affine(const Window& window, const Whitening& before) 
   return fit_dense(window, covariance);
 }
 
-/// Draws in coordinates that begin with the drivers, and the potential of a bend there: where
-///   psi = z . q(z),   grad psi = q + (dq/dz)' z
-/// is what the bend takes off the gradients, in first order of its strengths.
+/// Draws in coordinates that begin with the drivers, and the potential of a bend,
+///   psi = z . q(z),   grad psi = q + (dq/dz)' z,
+/// which is the first-order change of the gradients by the bend.
 class BendPotential {
  public:
   BendPotential(MatrixXd z, int drivers) : z_(std::move(z)), drivers_(drivers) {
@@ -169,7 +170,7 @@ class BendPotential {
 
   [[nodiscard]] int pairs() const { return drivers_ * (drivers_ + 1) / 2; }
 
-  /// Gradients of psi at all draws, from strengths (n, pairs).
+  /// Returns the gradients of psi at all draws for given strengths (n, pairs).
   [[nodiscard]] MatrixXd gradient(const MatrixXd& strength) const {
     MatrixXd out = strength * products_;
     const MatrixXd along = strength.transpose() * z_;
@@ -181,7 +182,7 @@ class BendPotential {
     return out;
   }
 
-  /// The transpose of that linear map, where strengths may differ from zero.
+  /// Applies the transpose of that linear map, with zeros for strengths that are fixed at zero.
   [[nodiscard]] MatrixXd transposed(const MatrixXd& residual) const {
     MatrixXd out = residual * products_.transpose();
     for (int k = 0, pair = 0; k < drivers_; ++k)
@@ -195,22 +196,23 @@ class BendPotential {
   }
 
  private:
-  MatrixXd z_;         // (n, N)
-  int drivers_;        // K
-  MatrixXd products_;  // (pairs, N)
+  MatrixXd z_;         // draws (n, N)
+  int drivers_;        // K, number of drivers
+  MatrixXd products_;  // products of drivers (pairs, N)
 };
 
-/// Strengths by least squares, and what they leave.
+/// Strengths by least squares, and the residual.
 struct Strengths {
   MatrixXd strength;  // (n, pairs)
-  MatrixXd left;      // of the residual (n, N)
+  MatrixXd left;      // remaining residual (n, N)
 };
 
-/// Least squares by conjugate gradients; terms are nearly orthogonal, so a few steps do. A little
-/// weight on the strengths themselves keeps them small where draws are few.
+/// Fits the strengths by conjugate gradients with ridge regularisation. The terms are nearly
+/// orthogonal, so that a few iterations suffice.
 Strengths fit_strengths(const BendPotential& potential, const MatrixXd& residual) {
-  constexpr int kGradientSteps = 8;       // Most steps of conjugate gradients
-  constexpr double kStrengthWeight = 15;  // Weight of the strengths, that of five draws [1]
+  constexpr int kGradientSteps = 8;  // maximum number of iterations
+  constexpr double kStrengthWeight =
+      15;  // weight of the regularisation, equivalent to five draws [1]
   Strengths out{MatrixXd::Zero(residual.rows(), potential.pairs()), residual};
   MatrixXd slope = potential.transposed(residual), direction = slope;
   double square = slope.squaredNorm();
@@ -228,31 +230,32 @@ Strengths fit_strengths(const BendPotential& potential, const MatrixXd& residual
   return out;
 }
 
-/// Unit vectors v along which residuals bend most: the cubic form of their third moments,
+/// Search for unit vectors v along which residuals bend most: maximises the cubic form of third
+/// moments
 ///   T(c, v, v),   T(a, b, d) = mean of (a.r)(b.z)(d.z) + (b.r)(a.z)(d.z) + (d.r)(a.z)(b.z),
-/// is greatest, c being across v and the drivers before. By power iterations from some draws.
+/// with c orthogonal to v and the previous drivers, by power iteration from several draws.
 class DriverSearch {
  public:
   DriverSearch(const MatrixXd& z, const MatrixXd& left, const MatrixXd& drivers)
       : z_(z), left_(left), drivers_(drivers) {}
 
-  /// Empty if there is none (n).
+  /// Returns the best vector (n); empty if there is none.
   [[nodiscard]] VectorXd find() const {
     VectorXd found;
-    double most = 0;
+    double max_form = 0;
     for (VectorXd v : starts()) {
       const double form = climb(v);
-      if (!(form > most)) continue;
-      most = form;
+      if (!(form > max_form)) continue;
+      max_form = form;
       found = v;
     }
     return found;
   }
 
  private:
-  /// Draws with the largest residuals lie along drivers: some of them, none along another.
+  /// Returns distinct directions of draws with the largest residuals.
   [[nodiscard]] std::vector<VectorXd> starts() const {
-    constexpr std::size_t kDriverStarts = 4;  // Most draws from which a driver is sought
+    constexpr std::size_t kDriverStarts = 4;  // maximum number of starting directions
     VectorXd size = left_.colwise().norm();
     std::vector<VectorXd> found;
     for (Index tried = 0; tried < size.size() && found.size() < kDriverStarts; ++tried) {
@@ -272,17 +275,17 @@ class DriverSearch {
 
   /// Improves v, and returns T(c, v, v) of the best unit vector c.
   double climb(VectorXd& v) const {
-    constexpr int kPowerSteps = 30;  // Most steps of the power iteration
+    constexpr int kPowerSteps = 30;  // maximum number of power iterations
     double form = 0;
     for (int step = 0; step < kPowerSteps; ++step) {
-      // The best c for this v.
+      // Compute the best c for this v.
       const VectorXd z_v = z_.transpose() * v, r_v = left_.transpose() * v;
       VectorXd c = left_ * (z_v.array().square() - 1).matrix() + 2 * (z_ * z_v.cwiseProduct(r_v));
       c = across(c - v * v.dot(c));
       form = c.norm();
       if (!(form > 0)) return 0;
       c /= form;
-      // T(c, v, .) is the next v.
+      // Update v to T(c, v, .).
       const VectorXd z_c = z_.transpose() * c, r_c = left_.transpose() * c;
       const VectorXd next = across(z_ * (r_c.cwiseProduct(z_v) + r_v.cwiseProduct(z_c)) +
                                    left_ * z_c.cwiseProduct(z_v));
@@ -294,7 +297,7 @@ class DriverSearch {
     return form;
   }
 
-  /// Across the drivers before.
+  /// Projects v orthogonally to the previous drivers.
   [[nodiscard]] VectorXd across(const VectorXd& v) const {
     if (drivers_.cols() == 0) return v;
     return v - drivers_ * (drivers_.transpose() * v);
@@ -305,13 +308,13 @@ class DriverSearch {
   const MatrixXd& drivers_;
 };
 
-/// A bend in coordinates that are turned: z = Q (y + q(y)).
+/// Bend in rotated coordinates: z = Q (y + q(y)).
 struct TurnedBend {
-  MatrixXd turn;  // Q, drivers first (n, n)
+  MatrixXd turn;  // rotation Q, drivers first (n, n)
   Bend bend;
 };
 
-/// Drivers one after another, each from what those before it leave, then all strengths together.
+/// Fits drivers one after another to the remaining residual, each time with all strengths.
 TurnedBend fit_bend(const Whitened& in) {
   const Index n = in.z.rows();
   const MatrixXd residual = in.residual();
@@ -322,7 +325,7 @@ TurnedBend fit_bend(const Whitened& in) {
     if (next.size() == 0) break;
     drivers.conservativeResize(Eigen::NoChange, drivers.cols() + 1);
     drivers.rightCols(1) = next;
-    // Drivers become the first coordinates.
+    // Rotate the drivers to the first coordinates.
     const Eigen::HouseholderQR<MatrixXd> qr(drivers);
     out.turn = qr.householderQ();
     out.turn.leftCols(drivers.cols()) = drivers;
@@ -336,16 +339,17 @@ TurnedBend fit_bend(const Whitened& in) {
   return out;
 }
 
-/// Mean squares of the gradients g by y that whitening leaves, |g + y|^2, and of all, |g|^2.
+/// Mean squares of the residual gradients |g + y|^2, with g by y, and of all gradients |g|^2.
 struct Remainder {
   double left = 0, all = 0;
 };
+/// Evaluates the residual of whitened draws with a bend.
 Remainder remainder(const Whitened& in, const TurnedBend& turned) {
   Remainder sum;
   for (Index k = 0; k < in.z.cols(); ++k) {
-    const VectorXd y = turned.bend.straight(turned.turn.transpose() * in.z.col(k));
+    const VectorXd y = turned.bend.invert(turned.turn.transpose() * in.z.col(k));
     VectorXd gradient = turned.turn.transpose() * in.gradient.col(k);
-    turned.bend.pull_back(y, gradient);
+    turned.bend.pull_back_gradient(y, gradient);
     sum.left += (gradient + y).squaredNorm();
     sum.all += gradient.squaredNorm();
   }
@@ -357,14 +361,15 @@ Remainder remainder(const Whitened& in, const TurnedBend& turned) {
 bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
   if (draws.count() < 2) return false;
   const MatrixXd before = whitening.covariance();
-  if (!whitening.dense()) return whitening.set(shrunk_covariance(draws.x(), before));
+  if (!whitening.is_dense()) return whitening.set_covariance(shrunk_covariance(draws.x(), before));
   const Window window{draws.x(), draws.gradient()};
   const std::optional<Affine> affine =
       window.gradient.allFinite() ? fit_affine(window, whitening) : std::nullopt;
-  if (!affine) return whitening.set(shrunk_covariance(draws.x(), before));
+  if (!affine) return whitening.set_covariance(shrunk_covariance(draws.x(), before));
 
-  // A bend must help with draws that it has not seen.
-  constexpr double kLeftByBend = 0.9, kLeftByOrbit = 0.5;  // most that may be left [1]
+  // Accept a bend only if it reduces the residual on held-out draws.
+  constexpr double kLeftByBend = 0.9,
+                   kLeftByOrbit = 0.5;  // maximum residual ratios with a bend, and with orbits [1]
   const Whitened all = affine->whitened(window);
   const Index n = all.z.rows();
   const TurnedBend straight{MatrixXd::Identity(n, n), {}};
@@ -374,8 +379,8 @@ bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
   const TurnedBend best = helps ? fit_bend(all) : straight;
   const Remainder remains = remainder(all, best);
   const bool orbits = remains.left < kLeftByOrbit * remains.all;
-  if (!helps) return whitening.set(affine->centre, affine->factor, {}, orbits);
-  return whitening.set(affine->centre, affine->factor * best.turn, best.bend, orbits);
+  if (!helps) return whitening.set_map(affine->centre, affine->factor, {}, orbits);
+  return whitening.set_map(affine->centre, affine->factor * best.turn, best.bend, orbits);
 }
 
 }  // namespace thenar::internal

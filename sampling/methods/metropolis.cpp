@@ -12,12 +12,12 @@
 namespace thenar::internal {
 namespace {
 
-// Logarithm of a density of 0 [nat]
+// Logarithm of zero density [nat]
 constexpr double kLogZeroDensity = -std::numeric_limits<double>::infinity();
 // Purpose of the random stream that decides acceptance
 constexpr std::uint32_t kAcceptStream = 0xacce;
 
-/// P(accept) of a proposal.
+/// Returns the acceptance probability of a proposal.
 double acceptance(double now, double there, double log_proposal_ratio) {
   if (there == kLogZeroDensity) return 0;
   if (now == kLogZeroDensity) return 1;
@@ -37,7 +37,7 @@ Metropolis::Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options)
   proposals_.x = starts;
 }
 
-bool Metropolis::inside(int chain) const { return value_[chain] > kLogZeroDensity; }
+bool Metropolis::has_density(int chain) const { return value_[chain] > kLogZeroDensity; }
 
 RandomStream Metropolis::random(int chain, std::uint32_t purpose) const {
   return {options_.seed, static_cast<std::uint32_t>(options_.first_chain + chain),
@@ -48,16 +48,15 @@ void Metropolis::begin(const Densities& at) {
   begun_ = true;
   prior_ = at.log_prior;
   likelihood_ = at.log_likelihood;
-  for (int k = 0; k < chains(); ++k) value_[k] = tempered(at, k, options_.beta).value;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered_density(at, k, options_.beta).value;
 }
 
 void Metropolis::decide(const Densities& at, Eigen::Index point) {
-  // Tempered density at the proposal.
+  // Evaluate the tempered density at the proposal.
   const int k = proposals_.chain[static_cast<std::size_t>(point)];
-  TemperedDensity there = tempered(at, point, options_.beta);
-  if (!proposals_.x.col(point).allFinite())
-    there.value = kLogZeroDensity;  // where no posterior holds it
-  // Accept or stay.
+  TemperedDensity there = tempered_density(at, point, options_.beta);
+  if (!proposals_.x.col(point).allFinite()) there.value = kLogZeroDensity;  // not a valid point
+  // Accept or reject.
   StepStats& stats = stats_[static_cast<std::size_t>(k)];
   stats = {};
   stats.evaluations = 1;
@@ -69,7 +68,7 @@ void Metropolis::decide(const Densities& at, Eigen::Index point) {
     likelihood_[k] = at.log_likelihood[point];
     value_[k] = there.value;
   }
-  // Densities at the position after that.
+  // Record the densities at the resulting position.
   stats.log_prior = prior_[k];
   stats.log_likelihood = likelihood_[k];
 }
@@ -83,7 +82,7 @@ void Metropolis::tell(const Densities& at) {
     begin(at);
   } else {
     for (Eigen::Index point = 0; point < proposals_.x.cols(); ++point) decide(at, point);
-    // After the last round the step is complete.
+    // Complete the step after the last round.
     if (++round_ == rounds()) {
       if (steps_ < options_.warm_up) learn(before_);
       ++steps_;
@@ -98,13 +97,13 @@ void Metropolis::move(int chain, const Eigen::VectorXd& x, const Densities& at) 
   require(round_ == 0, "a chain can be moved between steps only");
   require(chain >= 0 && chain < chains() && x.size() == size(), "no chain {} of {} entries", chain,
           x.size());
-  // Position and densities.
+  // Store position and densities.
   x_.col(chain) = x;
   before_.col(chain) = x;
   prior_[chain] = at.log_prior[0];
   likelihood_[chain] = at.log_likelihood[0];
-  value_[chain] = tempered(at, 0, options_.beta).value;
-  // What was proposed from the old position is void.
+  value_[chain] = tempered_density(at, 0, options_.beta).value;
+  // Discard proposals from the previous position.
   if (begun_)
     proposals_ = propose(0);
   else
@@ -115,7 +114,7 @@ void Metropolis::set_beta(double beta) {
   require(round_ == 0, "a sampler can change its temper between steps only");
   options_.beta = beta;
   if (!begun_) return;
-  for (int k = 0; k < chains(); ++k) value_[k] = tempered(density(k), 0, beta).value;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered_density(density(k), 0, beta).value;
   proposals_ = propose(0);
 }
 
@@ -126,16 +125,16 @@ Densities Metropolis::density(int chain) const {
 void Metropolis::save(StateWriter& to) const {
   require(round_ == 0, "a sampler can be saved between steps only");
   // Positions and densities.
-  to.put(std::int64_t{steps_});
-  to.put(std::int64_t{begun_ ? 1 : 0});
-  to.put(x_);
-  to.put(prior_);
-  to.put(likelihood_);
-  // Statistics of the last step, and what the method has learnt.
+  to.write(std::int64_t{steps_});
+  to.write(std::int64_t{begun_ ? 1 : 0});
+  to.write(x_);
+  to.write(prior_);
+  to.write(likelihood_);
+  // Statistics of the last step, and adapted quantities.
   for (const StepStats& stats : stats_) {
-    to.put(stats.acceptance);
-    to.put(std::int64_t{stats.evaluations});
-    to.put(std::int64_t{stats.non_finite});
+    to.write(stats.acceptance);
+    to.write(std::int64_t{stats.evaluations});
+    to.write(std::int64_t{stats.non_finite});
   }
   save_learnt(to);
 }
@@ -159,7 +158,7 @@ void Metropolis::restore(StateReader& from) {
     stats.log_prior = prior[k];
     stats.log_likelihood = likelihood[k];
   }
-  // Tempered densities, what was learnt, and the next proposals.
+  // Tempered densities, adapted quantities, and the next proposals.
   const bool begun = begun_;
   begin({prior, likelihood, {}, {}});
   begun_ = begun;

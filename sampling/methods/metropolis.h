@@ -1,6 +1,6 @@
 #pragma once
 
-/// Base of the samplers that compare densities and need no gradient.
+/// Base class of samplers that only compare densities and need no gradient.
 
 #include <vector>
 
@@ -9,11 +9,11 @@
 
 namespace thenar::internal {
 
-/// Chains that propose, compare densities, and accept or stay.
+/// Chains that propose a point, compare densities, and accept or stay.
 ///
 /// A step has one or more rounds, each of which proposes for some of the chains at once. A chain at
-/// zero density stays until a proposal has a density above zero, and takes that one whatever its
-/// value; it learns nothing until then.
+/// zero density stays until a proposal has positive density, and accepts it whatever its value; it
+/// does not adapt until then.
 class Metropolis : public Sampler {
  public:
   Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options);
@@ -33,23 +33,26 @@ class Metropolis : public Sampler {
 
  protected:
   struct Proposals {
-    std::vector<int> chain;              // that would move (points)
+    std::vector<int> chain;              // chain of each proposal (points)
     Eigen::MatrixXd x;                   // proposed positions (n, points)
     Eigen::VectorXd log_proposal_ratio;  // log q(x | x') - log q(x' | x) [1] (points)
   };
 
-  /// Proposals of one round; they depend on the state between steps and on earlier rounds alone.
+  /// Returns the proposals of one round, which depend only on the state between steps and on
+  /// earlier rounds.
   [[nodiscard]] virtual Proposals propose(int round) = 0;
+  /// Returns the number of rounds of a step.
   [[nodiscard]] virtual int rounds() const { return 1; }
-  /// Called after every step of warm-up. @param before  positions at its start (n, chains)
+  /// Adapts the proposals after a step of warm-up. @param before  positions at its start (n,
+  /// chains)
   virtual void learn(const Eigen::MatrixXd& before) { (void)before; }
   virtual void save_learnt(StateWriter& to) const { (void)to; }
   virtual void restore_learnt(StateReader& from) { (void)from; }
 
   [[nodiscard]] const SamplerOptions& options() const { return options_; }
   [[nodiscard]] int size() const { return static_cast<int>(x_.rows()); }
-  [[nodiscard]] bool inside(int chain) const;  // the density is not zero
-  /// Random numbers of a chain's current step.
+  [[nodiscard]] bool has_density(int chain) const;  // the density is not zero
+  /// Returns the random stream of a chain's current step.
   [[nodiscard]] RandomStream random(int chain, std::uint32_t purpose) const;
 
  private:
@@ -57,19 +60,19 @@ class Metropolis : public Sampler {
   void decide(const Densities& at, Eigen::Index point);
 
   SamplerOptions options_;
-  Eigen::MatrixXd x_, before_;          // before_: at the start of the step (n, chains)
-  Eigen::VectorXd prior_, likelihood_;  // logarithms, at x_ (chains)
+  Eigen::MatrixXd x_, before_;          // positions now, and at the start of the step (n, chains)
+  Eigen::VectorXd prior_, likelihood_;  // log prior and log likelihood at x_ (chains)
   Eigen::VectorXd value_;               // log of the tempered density at x_ (chains)
   std::vector<StepStats> stats_;
-  Proposals proposals_;  // before the first density is known: the starts
-  long steps_ = 0;
-  int round_ = 0;
-  bool begun_ = false;
+  Proposals proposals_;  // current proposals; the starting points until their densities are known
+  long steps_ = 0;       // completed steps
+  int round_ = 0;        // current round of the step
+  bool begun_ = false;   // the densities of the starting points are known
 };
 
-/// Cholesky factor L of the guessed covariance of the target, C = L L'; the identity without a
-/// guess.
-/// @throws InputError if the guess is not positive definite.
+/// Returns the Cholesky factor L of the initial covariance C = L L'; the identity if none is given
+/// (n, n).
+/// @throws InputError if the covariance is not positive definite.
 [[nodiscard]] Eigen::MatrixXd initial_covariance_factor(const SamplerOptions& options, int size);
 
 }  // namespace thenar::internal

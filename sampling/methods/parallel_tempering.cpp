@@ -12,16 +12,17 @@ namespace {
 
 // Purpose of the random stream of swaps; no sampler uses it
 constexpr std::uint32_t kSwapStream = 0x73776170;
-constexpr double kLadderPower = 5;  // Power of the first ladder, from 1 down to 0
-// Logarithm of a likelihood of 0 [nat]
+constexpr double kLadderPower = 5;  // power of the initial ladder, from 1 down to 0
+// Logarithm of zero likelihood [nat]
 constexpr double kLogZeroLikelihood = -std::numeric_limits<double>::infinity();
 
+/// Replaces a log likelihood of NaN or +inf by that of zero likelihood.
 double sound(double log_likelihood) {
   return std::isnan(log_likelihood) || log_likelihood == -kLogZeroLikelihood ? kLogZeroLikelihood
                                                                              : log_likelihood;
 }
 
-/// P(exchange) of a colder and a hotter place.
+/// Returns the probability that a colder and a hotter state are exchanged.
 double swap_probability(double temper_drop, double cold, double hot) {
   cold = sound(cold);
   hot = sound(hot);
@@ -30,11 +31,11 @@ double swap_probability(double temper_drop, double cold, double hot) {
   return std::exp(std::min(0.0, temper_drop * (hot - cold)));
 }
 
-/// Returns the rejection rates between neighbours, unknown ones replaced by the mean of the others;
-/// never quite 0, so that the barrier rises [1].
+/// Returns the rejection rates between neighbours [1], unknown ones replaced by the mean of the
+/// others; always positive, so that the barrier increases.
 Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
-  constexpr double kMinRejection = 1e-3;  // Least rejection rate of a pair [1]
-  // Pairs that never tried are taken for the mean of the others.
+  constexpr double kMinRejection = 1e-3;  // minimum rejection rate of a pair [1]
+  // Average the known rates.
   double sum = 0;
   int known = 0;
   for (const double r : rejection_rate)
@@ -47,15 +48,15 @@ Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
 
 }  // namespace
 
-Eigen::VectorXd temperature_ladder(int temperatures, double least) {
+Eigen::VectorXd temperature_ladder(int temperatures, double min_beta) {
   require(temperatures >= 1, "temperatures must be >= 1, got {}", temperatures);
-  // Geometric, or by the fifth power down to the prior.
+  // Geometric ladder, or by the fifth power down to the prior.
   Eigen::VectorXd beta = Eigen::VectorXd::Ones(temperatures);
   if (temperatures == 1) return beta;
-  require(least >= 0 && least < 1, "least temper must be in 0 .. below 1, got {}", least);
+  require(min_beta >= 0 && min_beta < 1, "least temper must be in 0 .. below 1, got {}", min_beta);
   for (int i = 1; i < temperatures; ++i) {
     const double part = double(i) / (temperatures - 1);
-    beta[i] = least > 0 ? std::pow(least, part) : std::pow(1 - part, kLadderPower);
+    beta[i] = min_beta > 0 ? std::pow(min_beta, part) : std::pow(1 - part, kLadderPower);
   }
   return beta;
 }
@@ -65,7 +66,7 @@ Swaps decide_swaps(const Eigen::VectorXd& beta, const Eigen::MatrixXd& log_likel
   require(beta.size() >= 1 && log_likelihood.cols() == beta.size(),
           "{} temperatures, likelihoods of {}", beta.size(), log_likelihood.cols());
   const Eigen::Index walkers = log_likelihood.rows(), pairs = beta.size() - 1;
-  // Even pairs in even rounds, odd pairs in odd ones; one stream for all.
+  // Even pairs swap in even rounds, odd pairs in odd ones, with one random stream.
   Swaps swaps{SwapMask::Constant(walkers, pairs, false), SwapMask::Constant(walkers, pairs, false),
               Eigen::ArrayXXd::Zero(walkers, pairs)};
   RandomStream random(seed, group, round, kSwapStream);
@@ -88,16 +89,16 @@ void SwapCounts::add(const Swaps& swaps) {
   probability += swaps.probability.colwise().sum().matrix().transpose();
 }
 
-Eigen::VectorXd SwapCounts::rate() const { return accepted.cwiseQuotient(tried); }
+Eigen::VectorXd SwapCounts::swap_rate() const { return accepted.cwiseQuotient(tried); }
 
-Eigen::VectorXd SwapCounts::rejected() const {
+Eigen::VectorXd SwapCounts::rejection_rate() const {
   return (1 - probability.cwiseQuotient(tried).array()).matrix();
 }
 
 void SwapCounts::save(StateWriter& to) const {
-  to.put(tried);
-  to.put(accepted);
-  to.put(probability);
+  to.write(tried);
+  to.write(accepted);
+  to.write(probability);
 }
 
 void SwapCounts::restore(StateReader& from) {
@@ -110,15 +111,15 @@ void SwapCounts::restore(StateReader& from) {
 Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta, const Eigen::VectorXd& rejection_rate) {
   require(beta.size() >= 1 && rejection_rate.size() == beta.size() - 1,
           "{} temperatures, refusals of {} pairs", beta.size(), rejection_rate.size());
-  // Barrier between neighbours, over beta^(1/5).
+  // Communication barrier between neighbours, as a function of beta^(1/5).
   const Eigen::VectorXd steps = known_rejection_rates(rejection_rate);
   const Eigen::VectorXd s = beta.array().pow(1 / kLadderPower);
   const Eigen::Index pairs = steps.size();
   Eigen::VectorXd ladder = beta;
-  double passed = 0;  // of the barrier, up to temperature_index `below`
+  double passed = 0;  // barrier up to temperature `below`
   Eigen::Index below = 0;
   for (Eigen::Index i = 1; i < pairs; ++i) {
-    // The rung at the i-th equal part of it, interpolated.
+    // Interpolate the temperature at the i-th equal part.
     const double wanted = steps.sum() * double(i) / double(pairs);
     while (below < pairs - 1 && passed + steps[below] < wanted) passed += steps[below++];
     const double part = (wanted - passed) / steps[below];

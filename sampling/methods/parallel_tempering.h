@@ -10,33 +10,38 @@
 
 namespace thenar {
 
-/// Powers of the likelihood, falling from 1 to `least`: geometric,  beta_i = least^(i / (T - 1)),
-/// or, where the last is to be the prior,  beta_i = (1 - i / (T - 1))^5.
-/// @param temperatures  T, at least 1; one alone is 1 (T)
-/// @param least         0 .. below 1; of no effect if T = 1
-/// @throws InputError if one is out of range.
+/// Returns powers of the likelihood that fall from 1 to `min_beta`: geometric,
+///   beta_i = min_beta^(i / (T - 1)),
+/// or, if the last is the prior,
+///   beta_i = (1 - i / (T - 1))^5.
+/// @param temperatures  number T, at least 1; a single one has power 1
+/// @param min_beta      smallest power, 0 .. below 1; ignored if T = 1
+/// @return powers in falling order (T).
+/// @throws InputError if an argument is out of range.
 /// Source: [Friel2008] for the fifth power.
-[[nodiscard]] Eigen::VectorXd temperature_ladder(int temperatures, double least);
+[[nodiscard]] Eigen::VectorXd temperature_ladder(int temperatures, double min_beta);
 
+/// Flags of swaps between neighbouring temperatures (walkers, T - 1).
 using SwapMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Decisions of one round of swaps in one group. Entry (w, i) is about walker w of the temperatures
-/// i and i + 1; neighbouring pairs never swap in the same round.
+/// Decisions of one round of swaps in one group. Entry (w, i) refers to walker w of the
+/// temperatures i and i + 1; neighbouring pairs never swap in the same round.
 struct Swaps {
-  SwapMask tried;               // (walkers, T - 1)
-  SwapMask exchange;            // walkers w of i and i + 1 exchange states (walkers, T - 1)
-  Eigen::ArrayXXd probability;  // of the exchange; 0 where not tried [1] (walkers, T - 1)
+  SwapMask tried;     // pairs that attempt a swap (walkers, T - 1)
+  SwapMask exchange;  // pairs that exchange their states (walkers, T - 1)
+  Eigen::ArrayXXd
+      probability;  // probability of the exchange; 0 if not attempted [1] (walkers, T - 1)
 };
 
-/// Decides one round of swaps; the result depends on the arguments alone:
+/// Decides one round of swaps; the result depends on the arguments only:
 ///   P(exchange) = min(1, exp((beta_i - beta_{i+1}) (log L_{i+1} - log L_i))).
-/// Even pairs (0-1, 2-3, ...) swap in even rounds, odd pairs in odd rounds: a state that moves
-/// keeps its direction, and crosses the ladder in about T rounds instead of T^2.
+/// Even pairs (0-1, 2-3, ...) swap in even rounds, odd pairs in odd rounds: a state keeps its
+/// direction and crosses the ladder in about T rounds instead of T^2.
 ///
-/// A likelihood that is NaN or +inf counts as zero. A chain at zero likelihood takes any other
-/// state; two such chains stay.
-/// @param beta          falling (T)
-/// @param log_likelihood  not tempered, of each walker at each temperature (walkers, T)
+/// A likelihood of NaN or +inf counts as zero. A chain at zero likelihood accepts any other state;
+/// two such chains stay.
+/// @param beta            powers of the likelihood, falling (T)
+/// @param log_likelihood  log likelihood without beta, of each walker and temperature (walkers, T)
 /// @throws InputError if shapes disagree.
 /// Source: [Okabe2001] and [Syed2022] for the alternation.
 [[nodiscard]] Swaps decide_swaps(const Eigen::VectorXd& beta, const Eigen::MatrixXd& log_likelihood,
@@ -47,24 +52,23 @@ struct SwapCounts {
   explicit SwapCounts(int temperatures = 1);
 
   void add(const Swaps& swaps);
-  [[nodiscard]] Eigen::VectorXd rate() const;      // accepted / tried; NaN if none tried (T - 1)
-  [[nodiscard]] Eigen::VectorXd rejected() const;  // mean probability of refusal (T - 1)
+  [[nodiscard]] Eigen::VectorXd swap_rate() const;       // accepted / tried; NaN if none (T - 1)
+  [[nodiscard]] Eigen::VectorXd rejection_rate() const;  // mean probability of rejection (T - 1)
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);
 
-  Eigen::VectorXd tried, accepted;  // swaps [1] (T - 1)
-  Eigen::VectorXd probability;      // sum over the tried [1] (T - 1)
+  Eigen::VectorXd tried, accepted;  // numbers of swaps [1] (T - 1)
+  Eigen::VectorXd probability;      // sum of the probabilities of attempted swaps [1] (T - 1)
 };
 
 /// Returns a ladder with the same ends whose neighbours would reject swaps about equally often: its
-/// temperatures stand at equal parts of the communication barrier  Lambda(beta_k) = sum_{i < k}
-/// rejection_rate_i, which is interpolated linearly in beta^(1/5). Call during warm-up only, with
-/// enough swaps counted.
-/// @param beta   falling (T)
-/// @param rejection_rate  mean rejection probability of neighbours, 0..1; NaN: the mean of the
-/// other
-///                        pairs is taken (T - 1)
+/// temperatures divide the communication barrier  Lambda(beta_k) = sum_{i < k} rejection_rate_i,
+/// interpolated linearly in beta^(1/5), into equal parts. Call it only during warm-up, after enough
+/// swaps.
+/// @param beta            powers of the likelihood, falling (T)
+/// @param rejection_rate  mean rejection probability of neighbours, 0..1; NaN: replaced by the mean
+///                        of the other pairs (T - 1)
 /// @throws InputError if shapes disagree.
 /// Source: [Syed2022, algorithm 2].
 [[nodiscard]] Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta,

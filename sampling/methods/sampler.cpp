@@ -8,7 +8,7 @@
 namespace thenar {
 namespace {
 
-constexpr long kMaxStreamSteps = 1L << 32;  // Most steps that 32 bits can distinguish
+constexpr long kMaxStreamSteps = 1L << 32;  // number of steps that 32 bits can distinguish
 
 void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
   // Starts.
@@ -35,7 +35,7 @@ bool is_hamiltonian(SamplingMethod method) {
 }
 
 double target_acceptance_of(const SamplerOptions& options) {
-  constexpr double kDefaultAcceptance = 0.8;  // Acceptance rate, Stan's [1] [Carpenter2017]
+  constexpr double kDefaultAcceptance = 0.8;  // Stan's acceptance rate [1] [Carpenter2017]
   return options.target_acceptance > 0 ? options.target_acceptance : kDefaultAcceptance;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Matrices of saved states that must have a certain shape.
+/// Reading of matrices of a required shape from saved states.
 
 #include <Eigen/Core>
 
@@ -9,7 +9,7 @@
 
 namespace thenar::internal {
 
-/// The next matrix of a saved state. @param what  it is, for messages
+/// Reads the next matrix of a saved state. @param what  name of the matrix for messages
 /// @throws InputError if it has another shape.
 [[nodiscard]] inline Eigen::MatrixXd saved_matrix(StateReader& from, const char* what,
                                                   Eigen::Index rows, Eigen::Index columns) {
@@ -20,7 +20,7 @@ namespace thenar::internal {
   return found;
 }
 
-/// Returns the next vector of a saved state.
+/// Reads the next vector of a saved state. Arguments as for saved_matrix().
 [[nodiscard]] inline Eigen::VectorXd saved_vector(StateReader& from, const char* what,
                                                   Eigen::Index size) {
   return saved_matrix(from, what, size, 1);

@@ -7,12 +7,13 @@ namespace thenar::internal {
 namespace {
 
 constexpr std::uint32_t kStretchMoves = 0;
-constexpr double kMaxStretch = 2;  // a, the largest stretch [1] [Goodman2010]
+constexpr double kMaxStretch = 2;  // a, the maximum stretch [1] [Goodman2010]
 
-/// Each walker of one half moves along the line through a walker of the other half,
-///   x' = y + z (x - y),  density of z ~ 1 / sqrt(z) on 1/a .. a,  accepted by z^(n-1) p(x') /
-///   p(x),
-/// the two halves in turn, so that half of the ensemble is asked for at once. Nothing is learnt.
+/// Affine-invariant ensemble sampler. Each walker of one half moves along the line through a walker
+/// of the other half,
+///   x' = y + z (x - y),  density of z ~ 1 / sqrt(z) on 1/a .. a,
+/// accepted by z^(n-1) p(x') / p(x). The halves alternate, so that half of the ensemble is
+/// evaluated at once. There is no adaptation.
 class StretchMove final : public Metropolis {
  public:
   StretchMove(const Eigen::MatrixXd& starts, const SamplerOptions& options)
@@ -32,7 +33,7 @@ class StretchMove final : public Metropolis {
       const int k = round * half + i;
       RandomStream draw = random(k, kStretchMoves);
       const auto y = positions().col((1 - round) * half + draw.index(half));
-      // By inversion: the square root of z is uniform on sqrt(1/a) .. sqrt(a).
+      // Sample by inversion: the square root of z is uniform on sqrt(1/a) .. sqrt(a).
       const double root = (1 + (kMaxStretch - 1) * draw.uniform()) / std::sqrt(kMaxStretch);
       to.chain.push_back(k);
       to.x.col(i) = y + root * root * (positions().col(k) - y);

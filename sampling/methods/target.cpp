@@ -6,9 +6,9 @@
 
 namespace thenar::internal {
 
-TemperedDensity tempered(const Densities& at, Eigen::Index point, double beta) {
+TemperedDensity tempered_density(const Densities& at, Eigen::Index point, double beta) {
   const double prior = at.log_prior[point], likelihood = at.log_likelihood[point];
-  // Where the prior is zero, whatever the model says there is of no interest.
+  // Ignore the likelihood where the prior is zero.
   if (prior == -kInfinity) return {-kInfinity, false};
   for (const double part : {prior, likelihood})
     if (std::isnan(part) || part == kInfinity) return {-kInfinity, true};

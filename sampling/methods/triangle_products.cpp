@@ -5,10 +5,10 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kBlockColumns = 4;   // Columns computed at a time
-constexpr long kRegisterLanes = 8;  // Numbers in a register of the widest unit
+constexpr long kBlockColumns = 4;   // number of columns computed at a time
+constexpr long kRegisterLanes = 8;  // number of doubles in a register of the widest SIMD unit
 
-/// x += sum of four columns, from row `first` on.
+/// Adds four columns times y to x, from row `first` on.
 THENAR_FOR_ALL_PROCESSORS
 void add_columns(const double* F, long n, long first, const double* y, double* x) {
   const double *a = F, *b = F + n, *c = F + 2 * n, *d = F + 3 * n;
@@ -16,11 +16,11 @@ void add_columns(const double* F, long n, long first, const double* y, double* x
   for (long i = first; i < n; ++i) x[i] += (a[i] * y0 + b[i] * y1) + (c[i] * y2 + d[i] * y3);
 }
 
-/// Eight numbers side by side, in as many registers as the processor needs for them.
+/// Eight doubles, in as many registers as necessary.
 using Lanes =
     double __attribute__((vector_size(kRegisterLanes * sizeof(double)), aligned(8), may_alias));
 
-/// Products of four columns with g, from row `first` on, each as eight sums side by side.
+/// Computes products of four columns with g, from row `first` on, each by eight partial sums.
 THENAR_FOR_ALL_PROCESSORS
 void column_products(const double* F, long n, long first, const double* g, double* out) {
   const double *a = F, *b = F + n, *c = F + 2 * n, *d = F + 3 * n;
@@ -33,7 +33,7 @@ void column_products(const double* F, long n, long first, const double* g, doubl
     sums[2] += *reinterpret_cast<const Lanes*>(c + i) * value;
     sums[3] += *reinterpret_cast<const Lanes*>(d + i) * value;
   }
-  // Rows beyond the last whole block, and the sums in one order.
+  // Add the remaining rows, and combine the partial sums in fixed order.
   for (long column = 0; column < kBlockColumns; ++column) {
     double s[kRegisterLanes];
     for (long k = 0; k < kRegisterLanes; ++k) s[k] = sums[column][k];
@@ -56,7 +56,7 @@ void add_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& y
 
 void transposed_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& g,
                         Eigen::VectorXd& out) {
-  // Fewest rows that are worth the sums at the end of each column
+  // Number of rows below which the combination of partial sums is too expensive
   constexpr long kMinSummedRows = 64;
   const long n = F.rows();
   if (n < kMinSummedRows) {

@@ -1,22 +1,22 @@
 #pragma once
 
-/// Products of a matrix with one vector, compiled for several processors.
+/// Products of a matrix and a vector, compiled for several instruction sets.
 
 #include <Eigen/Core>
 
 namespace thenar::internal {
 
-/// Shape of a square matrix, by the entries that may differ from zero.
+/// Structure of a square matrix: which entries may be nonzero.
 enum class Shape { kFull, kLower };
 
-// The processor is asked at run time. All versions give the same bits: the order of no sum depends
-// on the processor, and no multiplication is fused (-ffp-contract=off).
+// The instruction set is chosen at run time. All versions give the same bits: no order of summation
+// depends on it, and no multiplication is fused (-ffp-contract=off).
 
-/// x += F y  (n, n), (n), (n)
+/// Computes x += F y  (n, n), (n), (n).
 void add_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& y,
                  Eigen::VectorXd& x);
 
-/// F' g, into `out`  (n, n), (n), (n)
+/// Computes out = F' g  (n, n), (n), (n).
 void transposed_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& g,
                         Eigen::VectorXd& out);
 

@@ -3,15 +3,14 @@
 namespace thenar {
 namespace {
 
-/// Samplers on their way, and what passes between them and the target. Its memory is kept from one
-/// batch to the next.
+/// Samplers that have to advance, and the batch of their points. Memory is reused between batches.
 class ChainBatch {
  public:
   explicit ChainBatch(const std::vector<Sampler*>& samplers) : samplers_(samplers) {}
 
-  /// False if nobody has to go on.
+  /// Collects the samplers below `steps`; returns false if there are none.
   bool gather(long steps) {
-    // Samplers that are not there yet, and how many points they ask for.
+    // Count the points that they request.
     going_.clear();
     want_ = WithGradient::kNo;
     points_ = 0;
@@ -24,8 +23,9 @@ class ChainBatch {
     return !going_.empty();
   }
 
+  /// Evaluates the target at the requested points of all samplers.
   [[nodiscard]] Densities evaluate(const Target& target) {
-    // Their points side by side.
+    // Gather the points.
     x_.resize(target.size(), points_);
     Eigen::Index at = 0;
     for (const std::size_t i : going_) {
@@ -36,6 +36,7 @@ class ChainBatch {
     return target.evaluate(x_, want_);
   }
 
+  /// Passes the densities to the samplers.
   void tell(const Densities& all, const StepObserver& observer) {
     Eigen::Index first = 0;
     for (const std::size_t i : going_) {
@@ -50,7 +51,7 @@ class ChainBatch {
   }
 
  private:
-  /// The densities of columns first .. first + count - 1.
+  /// Returns the densities of columns first .. first + count - 1.
   const Densities& part(const Densities& all, Eigen::Index first, Eigen::Index count) {
     part_.log_prior = all.log_prior.segment(first, count);
     part_.log_likelihood = all.log_likelihood.segment(first, count);

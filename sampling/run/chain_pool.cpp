@@ -27,7 +27,7 @@ ChainState read_chain_state(const double*& from, Eigen::Index size, WithGradient
     from += count;
     return numbers;
   };
-  // Position and densities; gradients only of samplers that want them.
+  // Read position and densities, and gradients if available.
   ChainState chain_state;
   chain_state.x = take(size);
   chain_state.at.log_prior = take(1);
@@ -43,15 +43,15 @@ void ChainSlot::record(long warm_up, int thin) {
   // Divergences are counted at every step, also between draws.
   const bool draw = (sampler->steps() - warm_up) % thin == 0;
   for (int c = 0; c < sampler->chains(); ++c) {
-    // Counts since the last draw.
+    // Add the counts since the last draw.
     const StepStats& step = sampler->stats()[static_cast<std::size_t>(c)];
-    StepStats& sum = since[static_cast<std::size_t>(c)];
+    StepStats& sum = stats_since_draw[static_cast<std::size_t>(c)];
     divergent += step.divergent ? 1 : 0;
     sum.evaluations += step.evaluations;
     sum.non_finite += step.non_finite;
     sum.divergent |= step.divergent;
     if (!draw) continue;
-    // A draw: the step's statistics with those counts.
+    // Record the draw with these counts.
     StepStats stats = step;
     stats.evaluations = sum.evaluations;
     stats.non_finite = sum.non_finite;
@@ -61,7 +61,7 @@ void ChainSlot::record(long warm_up, int thin) {
   }
 }
 
-Eigen::MatrixXd ChainSlot::take() {
+Eigen::MatrixXd ChainSlot::take_pending_draws() {
   const Eigen::Index rows = sampler->chains() * rows_of_draw(sampler->positions().rows());
   Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
       pending.data(), rows, static_cast<Eigen::Index>(pending.size()) / rows);
@@ -85,17 +85,17 @@ void ChainSlot::set_beta(double beta) {
 void ChainSlot::save(StateWriter& to) const {
   sampler->save(to);
   swap_counts.save(to);
-  to.put(std::int64_t{divergent});
-  for (const StepStats& sum : since)
+  to.write(std::int64_t{divergent});
+  for (const StepStats& sum : stats_since_draw)
     for (const int number : {sum.evaluations, sum.non_finite, int(sum.divergent)})
-      to.put(std::int64_t{number});
+      to.write(std::int64_t{number});
 }
 
 void ChainSlot::restore(StateReader& from) {
   sampler->restore(from);
   swap_counts.restore(from);
   divergent = from.integer();
-  for (StepStats& sum : since) {
+  for (StepStats& sum : stats_since_draw) {
     sum.evaluations = static_cast<int>(from.integer());
     sum.non_finite = static_cast<int>(from.integer());
     sum.divergent = from.integer() != 0;
@@ -104,15 +104,15 @@ void ChainSlot::restore(StateReader& from) {
 
 namespace {
 
-constexpr double kSwapsToLearn = 20;  // Swaps of each pair before the ladder follows them
+constexpr double kSwapsToLearn = 20;  // number of swaps of each pair before the ladder is adapted
 
-/// Items are dealt in consecutive shares: `part` has those from first_of(part) to first_of(part+1).
+/// Returns the first item of a part if items are divided into consecutive, nearly equal parts.
 int first_of(int part, int parts, int items) {
   return static_cast<int>(static_cast<long>(part) * items / parts);
 }
 
-/// Returns whether a share ends within one of the groups of `length` items. The first starts at
-/// item `offset`.
+/// Returns whether a boundary between parts lies within one of the groups of `length` items. The
+/// first part starts at item `offset`.
 bool splits(int parts, int items, int length, int offset = 0) {
   for (int part = 1; part < parts; ++part) {
     const int at = offset + first_of(part, parts, items);
@@ -121,20 +121,20 @@ bool splits(int parts, int items, int length, int offset = 0) {
   return false;
 }
 
-/// Returns the number of threads: as many as fill batches of the target; one for each of several
-/// ranks, unless options say otherwise.
+/// Returns the number of threads: as many as fill batches of the target; by default, one if there
+/// are several ranks.
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
-  // Unless told: all processors, or one of several ranks.
+  // Use all processors by default, or one if there are several ranks.
   int threads = options.threads;
   if (threads == 0) threads = ranks > 1 ? 1 : threads_or_all(0);
-  // No more than fill the batches that cost least.
+  // Use no more threads than batches of the cheapest size.
   const int batch = std::max(1, target.preferred_batch_size());
   const int batches = (samplers * options.walkers + batch - 1) / batch;
   return std::max(1, std::min({threads, batches, samplers}));
 }
 
-/// The temperature_index that walker w of `temperature_index` changes chain_states with; its own if
-/// none.
+/// Returns the temperature_index with which walker w of `temperature_index` exchanges its state;
+/// its own if there is no exchange.
 int partner(const Swaps& swaps, Eigen::Index w, int temperature_index) {
   if (temperature_index < swaps.exchange.cols() && swaps.exchange(w, temperature_index))
     return temperature_index + 1;
@@ -151,12 +151,12 @@ ChainPool::ChainPool(const Target& target, const Eigen::MatrixXd& starts, const 
       options_(options),
       ranks_(ranks),
       beta_(temperature_ladder(options.temperatures, options.min_beta)) {
-  // Samplers of this rank, in consecutive order.
+  // Build the samplers of this rank.
   const int all = options.groups * options.temperatures;
   first_ = first_of(ranks.rank(), ranks.size(), all);
   const int samplers = first_of(ranks.rank() + 1, ranks.size(), all) - first_;
   for (int k = 0; k < samplers; ++k) slots_.push_back(build_slot(first_ + k, starts));
-  // Threads, and whether groups lie across threads or ranks.
+  // Start threads, and check whether groups are split over threads or ranks.
   pool_ = std::make_unique<ThreadPool>(threads_for(options, target, samplers, ranks.size()));
   split_ranks_ = splits(ranks.size(), all, options.temperatures);
   split_threads_ = splits(pool_->size(), samplers, options.temperatures, first_);
@@ -166,8 +166,8 @@ ChainSlot ChainPool::build_slot(int number, const Eigen::MatrixXd& starts) const
   ChainSlot slot;
   slot.group = number / options_.temperatures;
   slot.temperature_index = number % options_.temperatures;
-  // Chains of temperature_index 0 have the same numbers, and so the same random streams, whatever
-  // is above.
+  // Chains of temperature_index 0 have the same numbers, hence the same random streams, for any
+  // number of temperatures.
   SamplerOptions options = options_.sampler;
   options.beta = beta_[slot.temperature_index];
   options.first_chain = (slot.temperature_index * options_.groups + slot.group) * options_.walkers;
@@ -175,7 +175,7 @@ ChainSlot ChainPool::build_slot(int number, const Eigen::MatrixXd& starts) const
   slot.sampler = build_sampler(
       options_.method, starts.middleCols(Eigen::Index{slot.group} * walkers, walkers), options);
   slot.swap_counts = SwapCounts(options_.temperatures);
-  slot.since.resize(static_cast<std::size_t>(walkers));
+  slot.stats_since_draw.resize(static_cast<std::size_t>(walkers));
   return slot;
 }
 
@@ -191,26 +191,28 @@ long ChainPool::next_stop(long from, long step) const {
   return std::min(step, (from / options_.swap_every + 1) * options_.swap_every);
 }
 
-std::size_t ChainPool::share(int worker) const {
+std::size_t ChainPool::first_slot_of(int worker) const {
   return static_cast<std::size_t>(first_of(worker, pool_->size(), static_cast<int>(slots_.size())));
 }
 
 void ChainPool::advance_to(long step) {
   while (step_ < step) {
-    // To the next change of the ladder.
+    // Advance to the next change of the ladder.
     const long tuning = next_retuning(step_), stop = std::min(step, tuning);
-    // Threads wait for each other at swaps only where a group is split among them.
+    // Threads wait for each other at swaps only if a group is split over them.
     if (split_ranks_ || split_threads_)
       advance_together(stop);
     else
-      pool_->run([&](int worker) { advance_apart(share(worker), share(worker + 1), stop); });
+      pool_->run([&](int worker) {
+        advance_apart(first_slot_of(worker), first_slot_of(worker + 1), stop);
+      });
     step_ = stop;
-    if (stop == tuning) retune();
+    if (stop == tuning) adapt_ladder();
   }
 }
 
-// The ladder changes at an eighth, a quarter and a half of warm-up, so that every temperature_index
-// has time to learn its own step; at the end of warm-up swaps are counted anew.
+// The ladder is adapted at an eighth, a quarter and a half of warm-up, so that every temperature
+// has time to adapt its step size; at the end of warm-up, swap counts are reset.
 long ChainPool::next_retuning(long from) const {
   const long warm_up = options_.sampler.warm_up;
   if (options_.temperatures > 1)
@@ -219,8 +221,8 @@ long ChainPool::next_retuning(long from) const {
   return std::numeric_limits<long>::max();
 }
 
-void ChainPool::retune() {
-  // Swaps of all groups, in their order: the same sums on every rank.
+void ChainPool::adapt_ladder() {
+  // Sum the swaps of all groups in order: the sums are equal on every rank.
   const Eigen::Index pairs = beta_.size() - 1;
   Eigen::VectorXd mine(0);
   for (const ChainSlot& slot : slots_) {
@@ -234,21 +236,22 @@ void ChainPool::retune() {
     sum.tried += all.segment(at, pairs);
     sum.probability += all.segment(at + pairs, pairs);
   }
-  // The ladder follows once every pair has been tried often enough.
+  // Adapt the ladder once every pair has been tried often enough.
   if (step_ < options_.sampler.warm_up) {
     if ((sum.tried.array() < kSwapsToLearn).any()) return;
-    beta_ = adapted_ladder(beta_, sum.rejected());
+    beta_ = adapted_ladder(beta_, sum.rejection_rate());
   }
   for (ChainSlot& slot : slots_) slot.set_beta(beta_[slot.temperature_index]);
 }
 
 void ChainPool::advance_together(long step) {
   for (long at = step_; at < step;) {
-    // All samplers to the next swap.
+    // Advance all samplers to the next swap.
     at = next_stop(at, step);
-    pool_->run([&](int worker) { advance_slots(share(worker), share(worker + 1), at); });
+    pool_->run(
+        [&](int worker) { advance_slots(first_slot_of(worker), first_slot_of(worker + 1), at); });
     if (at % options_.swap_every != 0) continue;
-    // States of other ranks are needed only where a group is split among ranks.
+    // States of other ranks are needed only if a group is split over ranks.
     if (split_ranks_)
       swap(0, slots_.size(), gather_chain_states(), 0, at);
     else
@@ -273,8 +276,8 @@ std::vector<std::vector<ChainState>> ChainPool::chain_states(std::size_t from,
 }
 
 std::vector<std::vector<ChainState>> ChainPool::gather_chain_states() const {
-  std::vector<double> numbers{0};  // first: do they have gradients?
-  // States of this rank's samplers as numbers.
+  std::vector<double> numbers{0};  // first number: whether there are gradients
+  // Pack the states of this rank's samplers.
   for (const ChainSlot& slot : slots_) {
     if (slot.sampler->wants() == WithGradient::kYes) numbers[0] = 1;
     for (const ChainState& chain_state : slot.chain_states())
@@ -282,7 +285,7 @@ std::vector<std::vector<ChainState>> ChainPool::gather_chain_states() const {
   }
   const Eigen::VectorXd all = ranks_.all_gather(
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
-  // States of all samplers, rank by rank.
+  // Unpack the states of all samplers, rank by rank.
   const int count = options_.groups * options_.temperatures;
   std::vector<std::vector<ChainState>> found;
   const double* at = all.data();
@@ -304,7 +307,7 @@ void ChainPool::swap(std::size_t from, std::size_t to,
   const int T = options_.temperatures;
   const auto round = static_cast<std::uint32_t>(step / options_.swap_every);
   for (std::size_t k = from; k < to; ++k) {
-    // Likelihoods of all walkers at all temperatures of the group.
+    // Collect the likelihoods of all walkers and temperatures of the group.
     ChainSlot& slot = slots_[k];
     const int first = (slot.group - first_group) * T;
     const auto* group = &chain_states[static_cast<std::size_t>(first)];
@@ -312,11 +315,11 @@ void ChainPool::swap(std::size_t from, std::size_t to,
     for (int t = 0; t < T; ++t)
       for (int w = 0; w < options_.walkers; ++w)
         log_likelihood(w, t) = group[t][static_cast<std::size_t>(w)].at.log_likelihood[0];
-    // Every rank and thread decides alike.
+    // Decide, with the same result on every rank and thread.
     const Swaps swaps = decide_swaps(beta_, log_likelihood, options_.sampler.seed,
                                      static_cast<std::uint32_t>(slot.group), round);
     if (slot.temperature_index == 0) slot.swap_counts.add(swaps);
-    // Walkers that exchange their states.
+    // Move the walkers that exchange their states.
     for (int w = 0; w < options_.walkers; ++w) {
       const int other = partner(swaps, w, slot.temperature_index);
       if (other == slot.temperature_index) continue;
@@ -329,7 +332,7 @@ void ChainPool::swap(std::size_t from, std::size_t to,
 std::vector<Eigen::MatrixXd> ChainPool::take_draws() {
   std::vector<Eigen::MatrixXd> all;
   for (ChainSlot& slot : slots_)
-    if (slot.temperature_index == 0) all.push_back(slot.take());
+    if (slot.temperature_index == 0) all.push_back(slot.take_pending_draws());
   return all;
 }
 
@@ -348,11 +351,11 @@ void ChainPool::restore(long step, const Eigen::VectorXd& beta,
   require(beta.size() == beta_.size(), "the checkpoint has {} temperatures", beta.size());
   beta_ = beta;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
-    // Each sampler from its own state, at its own temperature.
+    // Restore each sampler at its own temperature.
     StateReader reader(all.at(static_cast<std::size_t>(first_) + k));
     slots_[k].set_beta(beta_[slots_[k].temperature_index]);
     slots_[k].restore(reader);
-    require(reader.done() && slots_[k].sampler->steps() == step,
+    require(reader.at_end() && slots_[k].sampler->steps() == step,
             "the checkpoint does not fit sampler {}", static_cast<std::size_t>(first_) + k);
   }
   step_ = step;
@@ -369,7 +372,7 @@ Eigen::VectorXd ChainPool::swap_rates() const {
   for (const ChainSlot& slot : slots_) {
     if (slot.temperature_index != 0) continue;
     rates.conservativeResize(rates.size() + beta_.size() - 1);
-    rates.tail(beta_.size() - 1) = slot.swap_counts.rate();
+    rates.tail(beta_.size() - 1) = slot.swap_counts.swap_rate();
   }
   return rates;
 }

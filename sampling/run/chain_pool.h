@@ -1,6 +1,6 @@
 #pragma once
 
-/// The samplers of a run that one rank advances: its share of groups x temperatures.
+/// Samplers of a run that one rank advances: its share of groups x temperatures.
 
 #include <memory>
 #include <string>
@@ -18,44 +18,48 @@ namespace thenar::internal {
 /// Position of a chain and the log densities there; swaps exchange it between temperatures.
 struct ChainState {
   Eigen::VectorXd x;  // (n)
-  Densities at;       // at x alone
+  Densities at;       // densities at x
 };
 
-/// Appends position, log prior, log likelihood, and gradients if there are any.
+/// Appends position, log prior, log likelihood, and gradients if available.
 void append_chain_state(const ChainState& chain_state, std::vector<double>& to);
 
-/// Reads a state back. @param from  its first number; afterwards the first of the next state
+/// Reads a state. @param from  first number of the state on input, of the next state on output
 [[nodiscard]] ChainState read_chain_state(const double*& from, Eigen::Index size,
                                           WithGradient gradient);
 
-/// The sampler of one temperature of one group, and its recorded draws. Only temperature_index 0,
-/// whose beta is 1, is recorded.
+/// Sampler of one temperature of one group, and its recorded draws. Only temperature_index 0, whose
+/// beta is 1, is recorded.
 struct ChainSlot {
   int group = 0, temperature_index = 0;
   std::unique_ptr<Sampler> sampler;
-  SwapCounts swap_counts;        // of the group, since warm-up or the last change of the ladder
-  std::vector<double> pending;   // draws not taken yet: columns of all its chains, see put_draw()
-  std::vector<StepStats> since;  // counts since the last draw: evaluations, non_finite, divergent
-                                 // (chains)
-  long divergent = 0;            // divergent steps after warm-up, of all its chains [1]
+  SwapCounts
+      swap_counts;  // swap counts of the group since warm-up or the last change of the ladder
+  std::vector<double>
+      pending;  // recorded draws not taken yet: columns of all its chains, see put_draw()
+  std::vector<StepStats> stats_since_draw;  // evaluations, non_finite and divergent counts since
+                                            // the last draw (chains)
+  long divergent = 0;  // number of divergent steps after warm-up, of all its chains [1]
 
-  /// Call after each step. Every `thin`-th step after warm-up is a draw.
+  /// Records a step; call it after each one. Every `thin`-th step after warm-up is a draw.
   void record(long warm_up, int thin);
 
-  /// All pending draws (rows of a draw * chains, draws); none are pending afterwards.
-  [[nodiscard]] Eigen::MatrixXd take();
+  /// Returns and removes all pending draws (rows of a draw * chains, draws).
+  [[nodiscard]] Eigen::MatrixXd take_pending_draws();
 
+  /// Returns position and densities of each chain.
   [[nodiscard]] std::vector<ChainState> chain_states() const;
 
-  /// Sets another beta and starts the counts of swaps anew.
+  /// Sets another beta and resets the swap counts.
   void set_beta(double beta);
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);
 };
 
-/// Sampler k = group * temperatures + temperature_index. Each rank has consecutive samplers, and so
-/// has each thread of a rank: with enough groups for all, no thread waits for another at a swap.
+/// Samplers k = group * temperatures + temperature_index of one rank. Each rank, and each thread of
+/// a rank, has consecutive samplers: if there are enough groups for all, no thread waits for
+/// another at a swap.
 class ChainPool {
  public:
   /// Keeps references to `target`, `options` and `ranks`, which must outlive it.
@@ -65,24 +69,27 @@ class ChainPool {
   [[nodiscard]] long step() const { return step_; }
   [[nodiscard]] int size() const { return target_.size(); }
 
-  /// Advances all samplers to `step`, with the swaps on the way and the swap at `step`. Every rank
-  /// must call it alike.
+  /// Advances all samplers to `step`, including the swaps before and at `step`. Collective: every
+  /// rank must call it with the same argument.
   void advance_to(long step);
 
-  /// Draws since the last call, of each group whose temperature_index 0 is on this rank, in the
-  /// order of groups.
+  /// Returns the draws since the last call, of each group whose temperature_index 0 is on this
+  /// rank, in the order of groups.
   [[nodiscard]] std::vector<Eigen::MatrixXd> take_draws();
 
-  /// State of each sampler of this rank, in their order.
+  /// Returns the state of each sampler of this rank, in order.
   [[nodiscard]] std::vector<std::string> save() const;
+  /// Restores the samplers of this rank.
   /// @param all  states of all samplers of all ranks
   /// @throws InputError if they do not fit.
   void restore(long step, const Eigen::VectorXd& beta, const std::vector<std::string>& all);
 
   [[nodiscard]] const Eigen::VectorXd& beta() const { return beta_; }
-  /// Divergent steps of temperature_index 0 after warm-up, of this rank's groups [1].
+  /// Returns the number of divergent steps of temperature_index 0 after warm-up, of this rank's
+  /// groups [1].
   [[nodiscard]] long divergent() const;
-  /// Swap rates of this rank's groups, one after the other [1] (groups * (temperatures - 1)).
+  /// Returns the swap rates of this rank's groups, one after another [1] (groups * (temperatures -
+  /// 1)).
   [[nodiscard]] Eigen::VectorXd swap_rates() const;
 
  private:
@@ -90,12 +97,13 @@ class ChainPool {
   [[nodiscard]] std::vector<std::vector<ChainState>> chain_states(std::size_t from,
                                                                   std::size_t to) const;
   [[nodiscard]] std::vector<std::vector<ChainState>> gather_chain_states() const;
-  [[nodiscard]] long next_stop(long from, long step) const;  // the next swap, or `step`
-  [[nodiscard]] std::size_t share(int worker) const;         // its first slot
-  [[nodiscard]] long next_retuning(long from) const;         // step; never: far away
-  void retune();
-  void advance_together(long step);  // all to each swap, where groups are split
-  void advance_apart(std::size_t from, std::size_t to, long step);  // whole groups
+  [[nodiscard]] long next_stop(long from, long step) const;   // step of the next swap, or `step`
+  [[nodiscard]] std::size_t first_slot_of(int worker) const;  // index of the worker's first slot
+  [[nodiscard]] long next_retuning(long from) const;  // step of the next change of the ladder
+  void adapt_ladder();
+  void advance_together(long step);  // stops all at each swap if groups are split
+  void advance_apart(std::size_t from, std::size_t to,
+                     long step);  // advances whole groups independently
   void advance_slots(std::size_t from, std::size_t to, long step);  // without swaps
   void swap(std::size_t from, std::size_t to,
             const std::vector<std::vector<ChainState>>& chain_states, int first_group, long step);
@@ -107,7 +115,8 @@ class ChainPool {
   int first_ = 0;  // number of the first sampler of this rank
   std::vector<ChainSlot> slots_;
   std::unique_ptr<ThreadPool> pool_;
-  bool split_ranks_ = false, split_threads_ = false;  // does a group belong to several?
+  bool split_ranks_ = false,
+       split_threads_ = false;  // groups are split over ranks, or over threads
   long step_ = 0;
 };
 

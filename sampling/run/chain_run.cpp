@@ -30,17 +30,17 @@ ChainRun::ChainRun(const Target& target, const Eigen::MatrixXd& starts, const Ru
       kept_(static_cast<std::size_t>(options.groups)) {}
 
 void ChainRun::resume() {
-  // Rank 0 has the checkpoint, if anyone.
+  // Broadcast the checkpoint of rank 0.
   const bool found = folder_ && folder_->state();
   const std::string state = all_gather_bytes(ranks_, found ? *folder_->state() : "").front();
   if (state.empty()) return;
-  // Step, time and ladder, then the state of every sampler.
+  // Read step, time and ladder, then the state of every sampler.
   StateReader reader(state);
   const long step = reader.integer();
   seconds_before_ = reader.number();
   const Eigen::VectorXd beta = saved_vector(reader, "temperatures", options_.temperatures);
   std::vector<std::string> all;
-  while (!reader.done()) all.push_back(reader.bytes());
+  while (!reader.at_end()) all.push_back(reader.bytes());
   const int wanted = options_.groups * options_.temperatures;
   require(all.size() == static_cast<std::size_t>(wanted), "the checkpoint has {} samplers",
           all.size());
@@ -48,30 +48,30 @@ void ChainRun::resume() {
   saved_step_ = step;
 }
 
-void ChainRun::go() {
-  stop_ = ended_at_divergence();  // a resumed run may have ended so before
+void ChainRun::run_to_end() {
+  stop_ = ended_at_divergence();  // a resumed run may have ended at a divergence
   while (samplers_.step() < total_ && !stop_) {
-    leg();
+    run_leg();
     if (checkpoint_due_) checkpoint();
   }
   checkpoint();
 }
 
-/// Steps for about a quarter of a second, so that stop requests are heard and time is known. How
-/// many is no matter for the draws.
-void ChainRun::leg() {
-  // Not beyond the end of warm-up, or of the run.
+/// Advances for about a quarter of a second, so that stop requests are handled and timing is known.
+/// The number of steps does not affect the draws.
+void ChainRun::run_leg() {
+  // Stop at the end of warm-up, and of the run.
   const long warm_up = options_.sampler.warm_up, from = samplers_.step();
   const long end = from < warm_up ? std::min(warm_up, total_) : total_;
   const Clock::time_point start = Clock::now();
   samplers_.advance_to(std::min(end, from + next_leg_));
-  agree(seconds_since(start), samplers_.step() - from);
+  agree_on_next_leg(seconds_since(start), samplers_.step() - from);
   report();
 }
 
-void ChainRun::agree(double seconds, long steps) {
-  // As many steps as should fill the wanted time, at most twice as many as before.
-  constexpr double kLegTime = 0.25;  // Wanted time of a leg [s]
+void ChainRun::agree_on_next_leg(double seconds, long steps) {
+  // Estimate the steps that fill the target time, at most twice as many as before.
+  constexpr double kLegTime = 0.25;  // target time of a leg [s]
   const double goal = std::min(kLegTime, options_.checkpoint_every);
   const double next = double(steps) * goal / std::max(seconds, 1e-9);
   Eigen::Vector4d mine;
@@ -80,7 +80,7 @@ void ChainRun::agree(double seconds, long steps) {
       std::clamp(std::floor(next), 1.0, 2.0 * double(next_leg_));
   const Eigen::VectorXd all = ranks_.all_gather(mine);
   const Eigen::Map<const Eigen::Matrix4Xd> ranks(all.data(), 4, ranks_.size());
-  // Anyone may stop the run; the clock is that of rank 0.
+  // Any rank may stop the run; rank 0 determines the timing.
   divergent_ = static_cast<long>(ranks.row(1).sum());
   stop_ = ranks.row(0).maxCoeff() > 0 || (options_.end_at_divergence && divergent_ > 0);
   checkpoint_due_ = ranks(2, 0) > 0;
@@ -89,8 +89,8 @@ void ChainRun::agree(double seconds, long steps) {
 }
 
 void ChainRun::report() const {
-  if (!first()) return;
-  // Time left at the pace of the last leg.
+  if (!is_root()) return;
+  // Estimate the remaining time from the last leg.
   const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
   const long left = std::lround(double(total_ - step) * seconds_per_step_);
   std::string what = step < warm_up ? fmt::format("warm-up, step {} of {}", step, warm_up)
@@ -103,14 +103,14 @@ void ChainRun::report() const {
 
 std::string ChainRun::state(const std::vector<std::string>& samplers) const {
   StateWriter writer;
-  writer.put(std::int64_t{samplers_.step()});
-  writer.put(seconds_before_ + seconds_since(start_));
-  writer.put(samplers_.beta());
-  for (const std::string& sampler : samplers) writer.put_bytes(sampler);
+  writer.write(std::int64_t{samplers_.step()});
+  writer.write(seconds_before_ + seconds_since(start_));
+  writer.write(samplers_.beta());
+  for (const std::string& sampler : samplers) writer.write_bytes(sampler);
   return writer.bytes();
 }
 
-/// Gathers the new draws, and where there is a folder the states, on rank 0, which keeps them.
+/// Gathers the new draws and, if there is a folder, the states on rank 0, which stores them.
 void ChainRun::checkpoint() {
   last_checkpoint_ = Clock::now();
   if (saved_step_ == samplers_.step()) return;
@@ -118,33 +118,33 @@ void ChainRun::checkpoint() {
   Gathered all{samplers_.take_draws(),
                options_.folder.empty() ? std::vector<std::string>{} : samplers_.save()};
   if (ranks_.size() > 1) all = gather(all);
-  // On the disk, or kept in memory.
+  // Write to the folder, or keep in memory.
   if (folder_) folder_->commit(all.draws, state(all.states));
   for (std::size_t g = 0; g < all.draws.size() && !folder_; ++g)
     kept_[g].push_back(std::move(all.draws[g]));
 }
 
 ChainRun::Gathered ChainRun::gather(const Gathered& mine) const {
-  // Draws and states of this rank as bytes.
+  // Pack draws and states of this rank.
   StateWriter writer;
-  writer.put(static_cast<std::int64_t>(mine.draws.size()));
-  for (const Eigen::MatrixXd& group : mine.draws) writer.put(group);
-  for (const std::string& sampler : mine.states) writer.put_bytes(sampler);
-  // Rank 0 takes those of all ranks.
+  writer.write(static_cast<std::int64_t>(mine.draws.size()));
+  for (const Eigen::MatrixXd& group : mine.draws) writer.write(group);
+  for (const std::string& sampler : mine.states) writer.write_bytes(sampler);
+  // Unpack those of all ranks on rank 0.
   Gathered all;
   for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {
-    if (!first()) break;
+    if (!is_root()) break;
     StateReader reader(bytes);
     for (std::int64_t left = reader.integer(); left > 0; --left)
       all.draws.push_back(reader.matrix());
-    while (!reader.done()) all.states.push_back(reader.bytes());
+    while (!reader.at_end()) all.states.push_back(reader.bytes());
   }
   return all;
 }
 
 Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
   if (folder_) return folder_->read(group);
-  // Parts of the group, in the order in which they came.
+  // Concatenate the parts of the group.
   Eigen::Index columns = 0;
   for (const Eigen::MatrixXd& part : kept_[group]) columns += part.cols();
   Eigen::MatrixXd all(rows_ * options_.walkers, columns);
@@ -158,12 +158,12 @@ Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
 
 bool ChainRun::ended_at_divergence() const {
   if (!options_.end_at_divergence) return false;
-  const auto divergent = double(samplers_.divergent());  // of this rank
+  const auto divergent = double(samplers_.divergent());  // count of this rank
   return ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
 }
 
 Draws ChainRun::result() const {
-  // What all ranks know.
+  // Collect what is equal on all ranks.
   Draws draws;
   draws.beta = samplers_.beta();
   const Eigen::VectorXd rates = ranks_.all_gather(samplers_.swap_rates());
@@ -173,13 +173,13 @@ Draws ChainRun::result() const {
   draws.complete = samplers_.step() >= total_;
   draws.ended_at_divergence = ended_at_divergence();
   draws.seconds = seconds_before_ + seconds_since(start_);
-  if (!first()) return draws;
+  if (!is_root()) return draws;
   for (int g = 0; g < options_.groups; ++g) {
-    // Draws of the group: walkers below each other.
+    // Read the draws of the group, walkers stacked by rows.
     const Eigen::MatrixXd rows = draws_of(static_cast<std::size_t>(g));
     const Eigen::Index count = std::min<Eigen::Index>(rows.cols(), options_.draws);
     for (int w = 0; w < options_.walkers; ++w) {
-      // Position and statistics of each draw of a walker.
+      // Split position and statistics of each draw of a walker.
       const auto chain = rows.block(w * rows_, 0, rows_, count);
       Eigen::MatrixXd x(samplers_.size(), count);
       std::vector<StepStats> stats;

@@ -9,8 +9,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::int64_t kDigestBytes = 16;  // Size of a digest [bytes]
-// Size of the head of a block: rows, columns and digest [bytes]
+constexpr std::int64_t kDigestBytes = 16;  // size of a digest [bytes]
+// Size of the header of a block: rows, columns and digest [bytes]
 constexpr std::int64_t kHeadBytes = 2 * sizeof(std::int64_t) + kDigestBytes;
 
 std::string digest(const std::string& numbers) { return sha256(numbers).substr(0, kDigestBytes); }
@@ -20,18 +20,18 @@ std::string digest(const std::string& numbers) { return sha256(numbers).substr(0
 void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   require(columns.rows() == rows_, "'{}' has {} rows, got {}", file_.path(), rows_, columns.rows());
   if (columns.cols() == 0) return;
-  const Eigen::MatrixXd block = columns;  // without gaps between the columns
+  const Eigen::MatrixXd block = columns;  // contiguous
   const std::string numbers(reinterpret_cast<const char*>(block.data()),
                             static_cast<std::size_t>(block.size()) * sizeof(double));
-  // Shape, digest, numbers.
+  // Write shape, digest and numbers.
   StateWriter head;
-  head.put(std::int64_t{block.rows()});
-  head.put(std::int64_t{block.cols()});
+  head.write(std::int64_t{block.rows()});
+  head.write(std::int64_t{block.cols()});
   file_.append(head.bytes() + digest(numbers) + numbers);
 }
 
 Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
-  // The head of the block, if the file has room for one.
+  // Read the header of the block.
   const std::int64_t left = file_.size() - at;
   require(left >= kHeadBytes, "'{}' ends too early, at byte {}", file_.path(), at);
   const std::string head = file_.read(at, kHeadBytes);
@@ -41,7 +41,7 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
   require(rows == rows_ && columns > 0 && columns <= room / rows,
           "'{}' is damaged at byte {}: a block of {} x {} in {} numbers", file_.path(), at, rows,
           columns, room);
-  // Its numbers, which must have the digest of the head.
+  // Read the numbers, and check their digest.
   Eigen::MatrixXd block(rows, columns);
   const std::string numbers =
       file_.read(at + kHeadBytes, block.size() * std::int64_t{sizeof(double)});
@@ -54,16 +54,16 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
 }
 
 void ChainStream::resume(long columns) {
-  // Whole blocks up to the wanted column; the file is cut behind them.
+  // Skip whole blocks up to the column, and truncate the rest.
   std::int64_t at = 0;
   long found = 0;
   while (found < columns) found += read_block(at).cols();
   require(found == columns, "'{}' has no block that ends with column {}", file_.path(), columns);
-  file_.cut(at);
+  file_.truncate(at);
 }
 
 Eigen::MatrixXd ChainStream::read() const {
-  // All blocks, joined.
+  // Read and concatenate all blocks.
   std::vector<Eigen::MatrixXd> blocks;
   Eigen::Index columns = 0;
   for (std::int64_t at = 0; at < file_.size(); columns += blocks.back().cols())

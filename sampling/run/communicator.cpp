@@ -10,6 +10,7 @@
 namespace thenar {
 namespace {
 
+/// Communicator of a single process.
 class OneRank : public Communicator {
  public:
   [[nodiscard]] int rank() const override { return 0; }
@@ -21,7 +22,7 @@ class OneRank : public Communicator {
   [[noreturn]] void abort(const std::string& why) const override { throw InputError(why); }
 };
 
-/// Set by the launchers of Open MPI, MPICH and PMIx (Slurm) in every process they start.
+/// Returns whether a launcher of Open MPI, MPICH or PMIx (Slurm) started this process.
 bool started_by_mpirun() {
   constexpr std::array<const char*, 3> kSet{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
   return std::any_of(kSet.begin(), kSet.end(),
@@ -45,19 +46,19 @@ std::unique_ptr<Communicator> world_communicator() {
 
 namespace thenar::internal {
 
-// Each rank sends its length and then its bytes, eight in each number. Numbers are only copied.
+// Each rank sends its length and its bytes, eight in each double, which is only copied.
 std::vector<std::string> all_gather_bytes(const Communicator& ranks, const std::string& mine) {
   if (ranks.size() == 1) return {mine};
   const auto words = [](std::size_t bytes) {
     return static_cast<Eigen::Index>((bytes + sizeof(double) - 1) / sizeof(double));
   };
-  // The length, then the bytes.
+  // Pack the length and the bytes.
   Eigen::VectorXd sent = Eigen::VectorXd::Zero(1 + words(mine.size()));
   sent[0] = static_cast<double>(mine.size());
   mine.copy(reinterpret_cast<char*>(sent.data() + 1), mine.size());
 
   const Eigen::VectorXd all = ranks.all_gather(sent);
-  // Taken apart by the lengths.
+  // Unpack by length.
   std::vector<std::string> parts;
   for (Eigen::Index at = 0; at < all.size();) {
     const auto size = static_cast<std::size_t>(all[at]);

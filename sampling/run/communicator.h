@@ -2,8 +2,8 @@
 
 /// Communication between the processes (ranks) of a run; a single process unless started by mpirun.
 ///
-/// All ranks must meet the same gathers in the same order. A rank that catches an error which the
-/// others do not have must call abort(): otherwise they wait for ever.
+/// All ranks must reach the same gathers in the same order. A rank that catches an error which the
+/// others do not have must call abort(): otherwise they wait forever.
 
 #include <exception>
 #include <memory>
@@ -16,26 +16,26 @@
 
 namespace thenar {
 
-/// The processes of a run.
+/// Processes of a run.
 class Communicator {
  public:
   virtual ~Communicator() = default;
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
-  /// The vectors of all ranks, one after the other; lengths may differ.
+  /// Concatenates the vectors of all ranks; lengths may differ.
   [[nodiscard]] virtual Eigen::VectorXd all_gather(const Eigen::VectorXd& mine) const = 0;
   virtual void barrier() const = 0;
-  /// Ends all ranks at once because this one cannot go on. With several ranks it writes the reason
-  /// to stderr, since nobody is left to catch an exception; a single process throws InputError.
+  /// Ends all ranks at once because this one cannot continue. With several ranks it writes the
+  /// reason to stderr, because no exception reaches the others; a single process throws InputError.
   [[noreturn]] virtual void abort(const std::string& why) const = 0;
 };
 
 /// Returns the communicator of this process alone.
 [[nodiscard]] std::unique_ptr<Communicator> single_process();
 
-/// All processes that mpirun started; single_process() without mpirun. Call it once and keep the
-/// result until the end of main(): its destructor finalises MPI. MPI_Init must come from libmpi:
-/// Debian's sequential MUMPS (below Ipopt) brings a dummy one.
+/// Returns all processes that mpirun started; single_process() without mpirun. Call it once and
+/// keep the result until the end of main(): its destructor finalises MPI. MPI_Init must come from
+/// libmpi: Debian's sequential MUMPS (used by Ipopt) contains a dummy one.
 /// @throws InputError if MPI_Init is the dummy, or if mpirun started a program built without MPI.
 [[nodiscard]] std::unique_ptr<Communicator> world_communicator();
 
@@ -43,7 +43,7 @@ class Communicator {
 
 namespace thenar::internal {
 
-/// The strings of all ranks, in their order; every rank gets all of them.
+/// Gathers the strings of all ranks, in order, on every rank.
 [[nodiscard]] std::vector<std::string> all_gather_bytes(const Communicator& ranks,
                                                         const std::string& mine);
 
@@ -52,12 +52,12 @@ namespace thenar::internal {
 namespace thenar {
 
 /// Runs work() on every rank and throws on all ranks if it failed on one: each rank throws its own
-/// error, or the error of the first rank that has one. So no rank waits for another that has
-/// failed. Every rank must call it alike, and `work` must not gather.
+/// error, or the error of the first rank that has one, so that no rank waits for another that has
+/// failed. Every rank must call it, and `work` must not gather.
 template <typename Work>
 void collective_call(const Communicator& ranks, Work work) {
   std::exception_ptr mine;
-  std::string message;  // "!" and the error; empty: none
+  std::string message;  // "!" and the error message; empty: none
   try {
     work();
   } catch (const std::exception& error) {

@@ -6,15 +6,15 @@ namespace thenar {
 
 Eigen::MatrixXd Draws::coordinate(int i) const {
   require(i >= 0 && i < size(), "draws have {} coordinates, there is no number {}", size(), i);
-  Eigen::MatrixXd of(draws(), chains());
+  Eigen::MatrixXd out(draws(), chains());
   for (int chain = 0; chain < chains(); ++chain) {
-    // Chains must be of one shape.
+    // Chains must have equal shapes.
     require(x[chain].rows() == size() && x[chain].cols() == draws(),
             "chain {} has {} x {} draws, the first {} x {}", chain, x[chain].rows(),
             x[chain].cols(), size(), draws());
-    of.col(chain) = x[chain].row(i).transpose();
+    out.col(chain) = x[chain].row(i).transpose();
   }
-  return of;
+  return out;
 }
 
 }  // namespace thenar
@@ -22,7 +22,7 @@ Eigen::MatrixXd Draws::coordinate(int i) const {
 namespace thenar::internal {
 namespace {
 
-constexpr Eigen::Index kStatCount = 9;  // Numbers in StepStats
+constexpr Eigen::Index kStatCount = 9;  // number of fields of StepStats
 
 }  // namespace
 

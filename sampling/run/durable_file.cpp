@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names in a folder are on the disk, too. Not every file system can say so.
+/// Syncs the folder's entries to the disk. Not every file system supports it.
 void sync_folder(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const int id = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -45,7 +45,7 @@ void AppendFile::fail(const std::string& what) const {
   throw InputError(fmt::format("cannot {} '{}': {}", what, path_, std::strerror(errno)));
 }
 
-void AppendFile::cut(std::int64_t bytes) {
+void AppendFile::truncate(std::int64_t bytes) {
   if (::ftruncate(file_, bytes) != 0) fail("cut");
 }
 
@@ -84,20 +84,20 @@ std::string AppendFile::read(std::int64_t from, std::int64_t bytes) const {
 
 // NOLINTNEXTLINE(readability-make-member-function-const): it changes the file on disk
 bool AppendFile::lock() {
-  // A file system without locks has to do without.
+  // Proceed on file systems without locks.
   return ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 void replace_file(const std::string& path, const std::string& bytes) {
-  // All bytes are on the disk before the name changes.
+  // Write all bytes to the disk first.
   const std::string name = path + ".tmp";
   {
     AppendFile file(name);
-    file.cut(0);
+    file.truncate(0);
     file.append(bytes);
     file.sync();
   }
-  // The rename is what replaces the older one.
+  // Then replace the old file by a rename.
   std::error_code error;
   fs::rename(name, path, error);
   require(!error, "cannot rename '{}' to '{}': {}", name, path, error.message());

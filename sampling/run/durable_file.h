@@ -7,17 +7,17 @@
 
 namespace thenar::internal {
 
-/// An open file that is only appended to, or cut to a length known to be good.
+/// Open file that is only appended to, or truncated to a length known to be good.
 class AppendFile {
  public:
-  /// Opens, or makes, a file. @throws InputError if that is not possible.
+  /// Opens or creates a file. @throws InputError on failure.
   explicit AppendFile(std::string path);
   ~AppendFile();
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&&) = delete;
 
-  void cut(std::int64_t bytes);             // keeps the first `bytes` bytes
-  void append(const std::string& bytes);    // at the end
+  void truncate(std::int64_t bytes);        // keeps the first `bytes` bytes
+  void append(const std::string& bytes);    // appends the bytes at the end
   void sync();                              // returns when all bytes are on the disk
   [[nodiscard]] std::int64_t size() const;  // [bytes]
   [[nodiscard]] std::string read(std::int64_t from, std::int64_t bytes) const;

@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-/// Target acceptances of all attempts, the first as the options have it.
+/// Returns the target acceptances of all attempts; the first is that of the options.
 std::vector<double> attempts_of(const RunOptions& options, const std::vector<double>& next) {
   const bool within =
       std::all_of(next.begin(), next.end(), [](double a) { return a > 0 && a < 1; });
@@ -32,7 +32,7 @@ RetriedDraws retry_divergent(const Target& target, const Eigen::MatrixXd& starts
   const std::vector<double> attempts = attempts_of(options, target_acceptances);
   RetriedDraws result;
   for (const double target_acceptance : attempts) {
-    // Each attempt has checkpoints of its own.
+    // Use separate checkpoints for each attempt.
     RunOptions attempt = options;
     attempt.sampler.target_acceptance = target_acceptance;
     attempt.end_at_divergence = target_acceptance != attempts.back();

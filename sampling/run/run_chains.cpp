@@ -15,7 +15,7 @@ namespace internal {
 namespace {
 
 void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options) {
-  // A start for every walker.
+  // Starts.
   require(options.groups >= 1, "groups must be >= 1, got {}", options.groups);
   require(options.walkers >= 1, "walkers must be >= 1, got {}", options.walkers);
   require(starts.rows() == target.size(), "starts have {} entries, the target has {}",
@@ -36,10 +36,11 @@ void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOpt
 
 std::string hash_of(const Eigen::MatrixXd& matrix) {
   StateWriter writer;
-  writer.put(matrix);
+  writer.write(matrix);
   return sha256(writer.bytes()).substr(0, 16);
 }
 
+/// Lists everything that the draws depend on.
 RunIdentity identity_of(const Eigen::MatrixXd& starts, const RunOptions& options) {
   const SamplerOptions& sampler = options.sampler;
   return {{"version", versions().at("thenar")},
@@ -62,11 +63,11 @@ RunIdentity identity_of(const Eigen::MatrixXd& starts, const RunOptions& options
           {"thin", std::to_string(options.thin)}};
 }
 
-/// Rank 0 opens the folder; if it refuses, all ranks throw alike.
+/// Opens the folder on rank 0; on failure, all ranks throw the same error.
 std::optional<RunFolder> open_folder(const Eigen::MatrixXd& starts, const RunOptions& options,
                                      const Communicator& ranks) {
   std::optional<RunFolder> folder;
-  std::string refusal;  // after '!' if the checkpoint is of another run, after '#' if it is damaged
+  std::string refusal;  // prefix '!': checkpoint of another run, '#': damaged checkpoint
   if (ranks.rank() == 0 && !options.folder.empty()) try {
       const Eigen::Index rows = rows_of_draw(starts.rows()) * options.walkers;
       folder.emplace(options.folder, identity_of(starts, options),
@@ -77,7 +78,7 @@ std::optional<RunFolder> open_folder(const Eigen::MatrixXd& starts, const RunOpt
     } catch (const std::exception& error) {
       refusal = error.what();
     }
-  // All ranks meet the same refusal.
+  // Broadcast the error.
   refusal = all_gather_bytes(ranks, refusal).front();
   if (refusal[0] == '!') throw CheckpointError(CheckpointError::Kind::kOtherRun, refusal.substr(1));
   if (refusal[0] == '#') throw CheckpointError(CheckpointError::Kind::kDamaged, refusal.substr(1));
@@ -95,10 +96,10 @@ Draws run_chains(const Target& target, const Eigen::MatrixXd& starts, const RunO
   try {
     internal::ChainRun run(target, starts, options, ranks, folder);
     run.resume();
-    run.go();
+    run.run_to_end();
     return run.result();
   } catch (const std::exception& error) {
-    // The others wait for this one, and would for ever.
+    // The other ranks would wait for this one forever.
     if (ranks.size() > 1) ranks.abort(error.what());
     throw;
   }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDigestDigits = 64;  // Hexadecimal digits of a SHA-256
+constexpr std::size_t kDigestDigits = 64;  // hexadecimal digits of a SHA-256
 
 std::string text_of(const RunIdentity& identity) {
   std::string text;
@@ -25,7 +25,7 @@ std::string text_of(const RunIdentity& identity) {
 }
 
 std::string content_of(const std::string& path) {
-  // Largest file: the state of thousands of chains [bytes]
+  // Maximum file size: the state of thousands of chains [bytes]
   constexpr std::size_t kMaxStateBytes = 1'000'000'000;
   try {
     return read_file(path, kMaxStateBytes);
@@ -44,7 +44,7 @@ RunIdentity parse_identity(const std::string& text) {
   return identity;
 }
 
-/// "seed (was 1, is 2), ..." of all entries that differ.
+/// Lists the entries that differ: "seed (was 1, is 2), ...".
 std::string differences(RunIdentity was, RunIdentity is) {
   // Entries that only one of them has count as different.
   for (const auto& [name, value] : is) was.emplace(name, "not there");
@@ -57,9 +57,10 @@ std::string differences(RunIdentity was, RunIdentity is) {
   return text;
 }
 
+/// Compares the identity of the folder, or stores it in a new folder.
 void check_identity(const std::string& folder, const RunIdentity& identity) {
   const std::string path = folder + "/run.txt";
-  // A new folder takes the identity; a state without one is damage.
+  // A new folder gets the identity; a state without one is an error.
   if (!fs::exists(path)) {
     if (fs::exists(folder + "/state.bin"))
       throw CheckpointError(CheckpointError::Kind::kDamaged,
@@ -67,7 +68,7 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
     replace_file(path, text_of(identity));
     return;
   }
-  // An old one must have the same.
+  // An existing folder must have the same identity.
   const std::string differing = differences(parse_identity(content_of(path)), identity);
   if (!differing.empty())
     throw CheckpointError(
@@ -81,7 +82,7 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
 RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
                      const std::vector<Eigen::Index>& rows)
     : folder_(folder) {
-  // The folder, for this process alone.
+  // Create and lock the folder.
   std::error_code error, none;
   fs::create_directories(folder, error);
   require(fs::is_directory(folder, none), "cannot make folder '{}' for checkpoints: {}", folder,
@@ -89,7 +90,7 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
   lock_.emplace(folder + "/lock");
   require(lock_->lock(), "another process is sampling in '{}'", folder);
   check_identity(folder, identity);
-  // State and streams, cut to the columns that count.
+  // Read the state, and truncate the streams to the valid columns.
   try {
     read_state();
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -102,7 +103,7 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
 }
 
 void RunFolder::read_state() {
-  // The content must have the digest that it begins with.
+  // Check the digest at the start of the file.
   const std::string path = folder_ + "/state.bin";
   if (!fs::exists(path)) return;
   const std::string content = content_of(path);
@@ -115,20 +116,20 @@ void RunFolder::read_state() {
 }
 
 void RunFolder::commit(const std::vector<Eigen::MatrixXd>& added, const std::string& state) {
-  // Columns first: without a newer state they do not count.
+  // Append columns first: they do not count until the state is updated.
   for (std::size_t k = 0; k < streams_.size(); ++k) {
     if (added[k].cols() == 0) continue;
     streams_[k].append(added[k]);
     streams_[k].sync();
   }
-  // Then the state that counts them.
+  // Then replace the state.
   const long columns = columns_ + (added.empty() ? 0 : added[0].cols());
   StateWriter writer;
-  writer.put(std::int64_t{columns});
-  writer.put_bytes(state);
+  writer.write(std::int64_t{columns});
+  writer.write_bytes(state);
   replace_file(folder_ + "/state.bin", sha256(writer.bytes()) + writer.bytes());
   columns_ = columns;
-  state_.reset();  // only wanted once
+  state_.reset();  // only needed once
 }
 
 }  // namespace thenar::internal

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Systems that a good guess of their inverse solves in a few steps.
+/// Iterative solution of systems with a good preconditioner.
 
 #include <functional>
 
@@ -8,12 +8,12 @@
 
 namespace thenar {
 
-/// Solves  A x = b  for a matrix near the identity, of which only products are known: minimises
-/// |b - A x| over ever more products of b with A, without restarts.
-/// @param apply  A times a vector of n
-/// @param b      (n)
-/// @param tolerance       of |b - A x| over |b| [1]
-/// @param max_iterations  products with A; the best answer of so many is returned
+/// Solves  A x = b  for a well-conditioned matrix of which only products are available: minimises
+/// |b - A x| over the Krylov space of A and b, without restarts.
+/// @param apply           function that multiplies a vector by A (n)
+/// @param b               right-hand side (n)
+/// @param tolerance       largest |b - A x| over |b| at which iterations stop [1]
+/// @param max_iterations  maximum number of products with A; the best solution so far is returned
 /// Source: [SaadSchultz1986].
 [[nodiscard]] Eigen::VectorXd gmres(
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply, const Eigen::VectorXd& b,

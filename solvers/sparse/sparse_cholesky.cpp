@@ -6,23 +6,23 @@
 
 #include "base/error.h"
 
-// Of OpenMP's runtime library that CHOLMOD is linked with; omp.h comes with compilers, and each
-// compiler has a runtime of its own.
+// Functions of the OpenMP runtime with which CHOLMOD is linked; omp.h belongs to the compiler, and
+// each compiler has its own runtime.
 extern "C" int omp_get_max_active_levels();
 extern "C" void omp_set_max_active_levels(int);
 
 namespace thenar {
 namespace {
 
-/// CHOLMOD starts threads for each of many small parts, and they wait for each other: matrices of
-/// a few thousand rows take longer by them, and far more processor time. While this lives, its
-/// parallel regions run on the thread that comes to them.
-class OneThread {
+/// Scope in which CHOLMOD's parallel regions run on the calling thread. CHOLMOD starts threads for
+/// many small parts, which wait for each other: matrices of a few thousand rows then take longer,
+/// and much more processor time.
+class SingleThreadScope {
  public:
-  OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() { omp_set_max_active_levels(levels_); }
+  SingleThreadScope() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+  SingleThreadScope(const SingleThreadScope&) = delete;
+  SingleThreadScope& operator=(const SingleThreadScope&) = delete;
+  ~SingleThreadScope() { omp_set_max_active_levels(levels_); }
 
  private:
   int levels_;
@@ -34,9 +34,9 @@ struct SparseCholesky::Parts {
   explicit Parts(SymmetricPattern p) : pattern(std::move(p)) {
     cholmod_start(&common);
     common.print = 0;
-    // What is not positive definite is told by the status of the factor.
+    // The status of the factor reports that a matrix is not positive definite.
     common.quick_return_if_not_posdef = 1;
-    common.final_ll = 1;  // L D L' would go on with negative D
+    common.final_ll = 1;  // LDL' would accept negative D
     matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.size);
     matrix.nzmax = pattern.rows.size();
     matrix.p = pattern.starts.data();
@@ -101,10 +101,10 @@ bool SparseCholesky::factor(const std::vector<double>& values) {
            .allFinite())
     return false;
   parts_->matrix.x = const_cast<double*>(values.data());  // read only
-  const OneThread alone;
-  const int done = cholmod_factorize(&parts_->matrix, parts_->factor, &parts_->common);
+  const SingleThreadScope one_thread;
+  const int succeeded = cholmod_factorize(&parts_->matrix, parts_->factor, &parts_->common);
   parts_->matrix.x = nullptr;
-  parts_->is_factored = done != 0 && parts_->common.status == CHOLMOD_OK &&
+  parts_->is_factored = succeeded != 0 && parts_->common.status == CHOLMOD_OK &&
                         parts_->factor->minor == static_cast<std::size_t>(parts_->pattern.size);
   return parts_->is_factored;
 }
@@ -114,17 +114,17 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
   require(parts.is_factored, "a matrix of {} rows has no factor", parts.pattern.size);
   require(b.rows() == parts.pattern.size, "a matrix of {} rows cannot solve {}", parts.pattern.size,
           b.rows());
-  cholmod_dense given{};
-  given.nrow = given.d = static_cast<std::size_t>(b.rows());
-  given.ncol = static_cast<std::size_t>(b.cols());
-  given.nzmax = static_cast<std::size_t>(b.size());
-  given.x = const_cast<double*>(b.data());  // read only
-  given.xtype = CHOLMOD_REAL;
-  given.dtype = CHOLMOD_DOUBLE;
-  const OneThread alone;
-  const int done = cholmod_solve2(CHOLMOD_A, parts.factor, &given, nullptr, &parts.answer, nullptr,
-                                  &parts.work_y, &parts.work_e, &parts.common);
-  require(done != 0, "a system of {} rows could not be solved", b.rows());
+  cholmod_dense right_side{};
+  right_side.nrow = right_side.d = static_cast<std::size_t>(b.rows());
+  right_side.ncol = static_cast<std::size_t>(b.cols());
+  right_side.nzmax = static_cast<std::size_t>(b.size());
+  right_side.x = const_cast<double*>(b.data());  // read only
+  right_side.xtype = CHOLMOD_REAL;
+  right_side.dtype = CHOLMOD_DOUBLE;
+  const SingleThreadScope one_thread;
+  const int succeeded = cholmod_solve2(CHOLMOD_A, parts.factor, &right_side, nullptr, &parts.answer,
+                                       nullptr, &parts.work_y, &parts.work_e, &parts.common);
+  require(succeeded != 0, "a system of {} rows could not be solved", b.rows());
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(parts.answer->x), b.rows(),
                                            b.cols());
 }

@@ -87,7 +87,8 @@ std::vector<TypeProbability> type_probabilities(const ThumbData& data, const Pos
     for (const bool toward : {false, true}) {
       const ThumbType type{flexion_distal, toward};
       const Eigen::VectorXd is = (after.array() == type.index()).cast<double>();
-      const Estimate share = estimate("type", by_chain(is, run.draws.chains()), run.draws.group);
+      const Estimate share =
+          estimate("type", reshape_by_chain(is, run.draws.chains()), run.draws.group);
       const double prior =
           static_cast<double>((before.array() == type.index()).count()) / kPriorDraws;
       // Draws that are all alike have no spread, and no error that could be told from them.

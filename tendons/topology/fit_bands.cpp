@@ -117,8 +117,8 @@ BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorX
   fit.misfit = at.r.squaredNorm();
   fit.r = std::move(at.r);
   fit.J = std::move(at.J);
-  out.strayed = std::abs(fit.misfit - found.at.r.squaredNorm()) >
-                std::max(options_.tolerance, options_.relative * fit.misfit);
+  out.strayed = std::abs(fit.misfit - found.residuals.r.squaredNorm()) >
+                std::max(options_.tolerance, options_.relative_tolerance * fit.misfit);
   return out;
 }
 

@@ -33,9 +33,9 @@ FitProblem fit_to_planted(const std::string& rows, unsigned seed) {
   std::mt19937 random(seed);
   const Experiment plan = planted::experiment();
   const BandProblems problems = planted::problems(plan, {"transverse_u"}, rows);
-  planted::Truth truth{{true}, sample::normal(problems.all().size(), random)};
+  planted::Truth truth{{true}, sample::normal(problems.full_problem().size(), random)};
   return planted::problems(planted::measured(problems, truth, plan, random), {"transverse_u"}, rows)
-      .all();
+      .full_problem();
 }
 
 /// Places from -6 to 6 prior sds (e^-18 is left out), where they are within 6 sds of the mode.
@@ -60,7 +60,7 @@ double log_density(const FitProblem& problem, const Eigen::VectorXd& z) {
 }
 
 double by_quadrature(const FitProblem& problem, const Eigen::VectorXd& mode) {
-  const Eigen::VectorXd sd = laplace_blocks(problem, mode).of(0).diagonal().cwiseSqrt();
+  const Eigen::VectorXd sd = laplace_blocks(problem, mode).block_entries(0).diagonal().cwiseSqrt();
   const Eigen::Vector2d step = 0.5 * sd;
   std::vector<double> logs;
   for (const double first : places(mode[0], sd[0], step[0]))
@@ -90,8 +90,8 @@ TEST(BandEvidence, IsTheIntegralOfTwoNumbers) {
 
 TEST(BandEvidence, HasExactSlopesWithoutABand) {
   const BandProblems problems = planted::problems(planted::experiment(), {"transverse_u"});
-  const FitProblem problem = problems.with({false});
-  EXPECT_EQ(problem.size(), problems.all().size() - 1);
+  const FitProblem problem = problems.problem_with({false});
+  EXPECT_EQ(problem.size(), problems.full_problem().size() - 1);
   std::mt19937 random(1);
   const Eigen::VectorXd z = 0.3 * sample::normal(problem.size(), random);
   const Residuals at = fit_residuals(problem, z, WithJacobian::kYes);
@@ -109,11 +109,11 @@ TEST(BandEvidence, HasExactSlopesWithoutABand) {
 
 TEST(BandProblems, CarryOverWhatHasTheSameName) {
   const BandProblems problems = planted::problems(planted::experiment(), {"transverse_u"});
-  const FitProblem without = problems.with({false});
-  Eigen::VectorXd z(problems.all().size());
+  const FitProblem without = problems.problem_with({false});
+  Eigen::VectorXd z(problems.full_problem().size());
   for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = 0.01 * static_cast<double>(i);
-  const std::vector<std::string> names = problems.all().coordinates().names();
-  const Eigen::VectorXd moved = carried_over(names, z, without);
+  const std::vector<std::string> names = problems.full_problem().coordinates().names();
+  const Eigen::VectorXd moved = transfer_point(names, z, without);
   const std::vector<std::string> left = without.coordinates().names();
   for (std::size_t i = 0; i < left.size(); ++i) {
     const auto old = std::find(names.begin(), names.end(), left[i]) - names.begin();
@@ -133,7 +133,7 @@ TEST(BandProblems, NameABandThatIsNotThere) {
 TEST(BandEvidence, DoesNotHoldWhereAMuscleHasNothingToPull) {
   const BandProblems problems =
       planted::problems(planted::experiment(), {"interosseous_lateral_r"});
-  const FitProblem problem = problems.with({false});
+  const FitProblem problem = problems.problem_with({false});
   EXPECT_FALSE(band_evidence(problem, {Eigen::VectorXd::Zero(problem.size())}).holds);
 }
 

@@ -50,13 +50,13 @@ TEST(BandPosterior, CannotTellABandThatIsSlackThroughout) {
   const Experiment plan = planted::experiment();
   const std::vector<std::string> bands{"sagittal_oblique_u"};
   const BandProblems problems = planted::problems(plan, bands);
-  planted::Truth truth{{true}, Eigen::VectorXd::Zero(problems.all().size())};
+  planted::Truth truth{{true}, Eigen::VectorXd::Zero(problems.full_problem().size())};
   const Experiment measured = planted::measured(problems, truth, plan, random);
   const BandPosterior found = band_posterior(planted::problems(measured, bands), random);
   ASSERT_TRUE(found.found);
   EXPECT_NEAR(found.bands[0].probability, 0.5, 0.02);  // modes are found to 0.05 nat
   EXPECT_EQ(found.bands[0].verdict, Verdict::kUndecided);
-  EXPECT_EQ(found.bands[0].why, WhyUntold::kSlack);
+  EXPECT_EQ(found.bands[0].why, UndecidedReason::kSlack);
   EXPECT_NEAR(found.entropy, 1, 0.02);
 }
 
@@ -161,7 +161,7 @@ TEST(RankTrials, TellsMoreByTheBestTrialThanByTheWorst) {
     if (std::getenv("THENAR_TRIALS")) chance += entropy_after(ranked[random() % ranked.size()]);
     expected += posterior.entropy - ranked.front().information;
     EXPECT_LE(ranked.front().information, posterior.entropy + 1e-9);
-    EXPECT_FALSE(ranked.front().most_told.empty());
+    EXPECT_FALSE(ranked.front().most_informed_band.empty());
   }
   if (std::getenv("THENAR_TRIALS"))
     fmt::print("entropy after the best {:.3f} bit, expected {:.3f}, chance {:.3f}, worst {:.3f}\n",
@@ -177,7 +177,7 @@ TEST(RankTrials, CountsSlackByTheFallOfTheirCovariance) {
   std::mt19937 random(5);
   const std::vector<std::string> bands{"triangular"};
   const BandProblems problems = planted::problems(before, bands);
-  const planted::Truth truth{{true}, Eigen::VectorXd::Zero(problems.all().size())};
+  const planted::Truth truth{{true}, Eigen::VectorXd::Zero(problems.full_problem().size())};
   const Experiment measured = planted::measured(problems, truth, before, random);
   const BandProblems known = planted::problems(measured, bands);
   BandPosterior posterior = band_posterior(known, random);
@@ -188,7 +188,8 @@ TEST(RankTrials, CountsSlackByTheFallOfTheirCovariance) {
   EXPECT_NEAR(ranked[0].information, 0, 1e-9);
   // The same by the information matrix: of data so far, and with the trial at the same mode.
   const auto log2_det = [&](const Experiment& experiment) {
-    const FitProblem problem = planted::problems(experiment, bands).with(posterior.sets[0].bands);
+    const FitProblem problem =
+        planted::problems(experiment, bands).problem_with(posterior.sets[0].bands);
     const Eigen::MatrixXd J =
         fit_residuals(problem, posterior.sets[0].evidence.z, WithJacobian::kYes).J;
     const Eigen::MatrixXd C = (J.transpose() * J).inverse();
@@ -201,7 +202,7 @@ TEST(RankTrials, CountsSlackByTheFallOfTheirCovariance) {
   Experiment more = measured;
   more.trials.push_back(plan.trials[5]);
   // Its noise is that of the force that is expected.
-  const FitProblem at = known.with(posterior.sets[0].bands);
+  const FitProblem at = known.problem_with(posterior.sets[0].bands);
   const Eigen::Matrix3Xd force =
       force_values(at.digit(), at.parameters(), plan_experiment(at.digit(), at.parameters(), more),
                    displacements(at.coordinates(), posterior.sets[0].evidence.z, 0));

@@ -132,7 +132,7 @@ TEST(FitResiduals, BlocksHaveTheDenseAnswer) {
   const Eigen::MatrixXd C = (J.transpose() * J).inverse();
   for (int specimen = 0; specimen < 3; ++specimen) {
     const std::vector<int> on = problem.coordinates().entries_of_specimen(specimen);
-    EXPECT_TRUE(matrix_near(covariance.C.of(specimen), C(on, on), 1e-7));
+    EXPECT_TRUE(matrix_near(covariance.C.block_entries(specimen), C(on, on), 1e-7));
   }
 }
 

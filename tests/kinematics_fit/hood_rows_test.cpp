@@ -23,8 +23,8 @@ TEST(HoodRows, CountTrialsUnderOneMuscleOfTheHoodAlone) {
                        trial("EDC+UI", {5, 0, 0}, {0, 0, 0}), trial("UI", {0, 4, 0}, {0, 4, -1})};
   const std::optional<HoodRowErrors> errors = hood_row_errors(prediction, {"UI", "EDC", "LU"});
   ASSERT_TRUE(errors.has_value());
-  EXPECT_EQ(errors->together.trials, 2);
-  EXPECT_NEAR(errors->together.relative, std::sqrt(2.0) / 5, 1e-15);
+  EXPECT_EQ(errors->total.trials, 2);
+  EXPECT_NEAR(errors->total.relative, std::sqrt(2.0) / 5, 1e-15);
   ASSERT_EQ(errors->muscles.size(), 2U);
   EXPECT_EQ(errors->muscles[0].muscle, "EDC");
   EXPECT_NEAR(errors->muscles[0].error.relative, 1.0 / 3, 1e-15);

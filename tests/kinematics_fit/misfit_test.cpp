@@ -22,7 +22,7 @@ using sample::middle_finger;
 
 // Two degrees of freedom have the tail exp(-x / 2): 1e-4 at x = 18.42.
 TEST(Misfit, IsBeyondChanceWhereTheTailOfChiSquareIs) {
-  const Misfit far = misfit(18.5, 4, 2), near = misfit(18.3, 4, 2);
+  const Misfit far = compute_misfit(18.5, 4, 2), near = compute_misfit(18.3, 4, 2);
   EXPECT_NEAR(far.tail, std::exp(-9.25), 1e-15);
   EXPECT_NEAR(far.times_noise, std::sqrt(9.25), 1e-12);
   EXPECT_TRUE(far.beyond_chance);
@@ -36,15 +36,15 @@ TEST(Misfit, IsBeyondChanceWhereTheTailOfChiSquareIs) {
 // 1000 numbers tell noise of 1.1 from 1.0 (sd 0.02), and nobody minds: exp(0.5) = 1.6487 is the
 // limit, 2718.3 its square times 1000.
 TEST(Misfit, ForgivesNoiseThatWasStatedSomewhatTooSmall) {
-  EXPECT_LT(misfit(1210, 1000, 0).tail, 1e-4);
-  EXPECT_FALSE(misfit(1210, 1000, 0).beyond_chance);
-  EXPECT_FALSE(misfit(2718, 1000, 0).beyond_chance);
-  EXPECT_TRUE(misfit(2719, 1000, 0).beyond_chance);
+  EXPECT_LT(compute_misfit(1210, 1000, 0).tail, 1e-4);
+  EXPECT_FALSE(compute_misfit(1210, 1000, 0).beyond_chance);
+  EXPECT_FALSE(compute_misfit(2718, 1000, 0).beyond_chance);
+  EXPECT_TRUE(compute_misfit(2719, 1000, 0).beyond_chance);
 }
 
 TEST(Misfit, SaysNothingWithoutDegreesOfFreedom) {
-  EXPECT_FALSE(misfit(100, 4, 4).beyond_chance);
-  EXPECT_EQ(misfit(100, 4, 4).times_noise, 0);
+  EXPECT_FALSE(compute_misfit(100, 4, 4).beyond_chance);
+  EXPECT_EQ(compute_misfit(100, 4, 4).times_noise, 0);
 }
 
 TEST(Misfit, SharesEffectiveParametersAmongExperiments) {

@@ -71,7 +71,7 @@ TEST(OddTrials, AreFarFromWhatAFitWithoutThemPredicts) {
       return each.force != trial.force;
     });
     const VectorXd z = sample::fit_precisely(others).z;
-    const MatrixXd C = posterior_covariance(others, z).C.of(0);
+    const MatrixXd C = posterior_covariance(others, z).C.block_entries(0);
     const FitProblem plain = setup.problem();
     const Residuals data = data_residuals(plain, z, 0, WithJacobian::kYes);
     const MatrixXd J = data.J.middleRows<3>(3 * turned);

@@ -109,7 +109,7 @@ inline Truth draw_truth(const BandProblems& problems, std::mt19937& random) {
     Truth truth;
     for (std::size_t b = 0; b < problems.bands().size(); ++b)
       truth.bands.push_back(std::bernoulli_distribution(0.5)(random));
-    const FitProblem problem = problems.with(truth.bands);
+    const FitProblem problem = problems.problem_with(truth.bands);
     truth.z = sample::normal(problem.size(), random);
     if (carries_loads(problem, truth.z)) return truth;
   }
@@ -118,7 +118,7 @@ inline Truth draw_truth(const BandProblems& problems, std::mt19937& random) {
 /// Readings of a truth in the trials of an experiment, with noise.
 inline Experiment measured(const BandProblems& problems, const Truth& truth, Experiment experiment,
                            std::mt19937& random) {
-  const FitProblem problem = problems.with(truth.bands);
+  const FitProblem problem = problems.problem_with(truth.bands);
   const ExperimentPlan plan = plan_experiment(problem.digit(), problem.parameters(), experiment);
   const Eigen::Matrix3Xd force = force_values(problem.digit(), problem.parameters(), plan,
                                               displacements(problem.coordinates(), truth.z, 0));

@@ -148,7 +148,7 @@ TEST(AxisDoubts, TellThePairsThatTradePlaces) {
     const FitProblem problem = setup.problem();
     const VectorXd z = VectorXd::Zero(problem.size());
     const Covariance covariance = posterior_covariance(problem, z);
-    const MatrixXd C = covariance.C.of(0);
+    const MatrixXd C = covariance.C.block_entries(0);
     double largest = 0;
     for (int a = 0; a < problem.size(); ++a)
       for (int b = 0; b < problem.size(); ++b) {

@@ -38,7 +38,7 @@ TEST(Gauge, ShiftsAlongAnAxisAreLeftOutAndNothingIsLost) {
     // Any z of the fit has an x with the same forces, whatever its shifts along the axes.
     std::mt19937 rng(4);
     const VectorXd z = 0.7 * sample::normal(problem.size(), rng);
-    const VectorXd x = posterior.from_fit(z);
+    const VectorXd x = posterior.from_fit_coordinates(z);
     for (int e = 0; e < (two ? 2 : 1); ++e)
       EXPECT_TRUE(matrix_near(posterior.forces(x, e).reshaped(3, 24), predict_trials(problem, z, e),
                               1e-11));

@@ -160,7 +160,7 @@ TEST(HandPosteriorStability, BoundsAreNoEdges) {
     const double value = posterior.values(VectorXd::Constant(1, x)).population(0, 0);
     EXPECT_TRUE(0.85 <= value && value <= 1.15) << x;
   }
-  const VectorXd on_bound = posterior.from_fit(problem.coordinates().upper());
+  const VectorXd on_bound = posterior.from_fit_coordinates(problem.coordinates().upper());
   EXPECT_TRUE(on_bound.allFinite());
   EXPECT_NEAR(posterior.fit_coordinates(on_bound)[0], problem.coordinates().upper()[0] - 1e-3,
               1e-9);

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 /// A vector of the spread for every standard normal one: A with A A' = (J'J)^-1.
 MatrixXd root_of(const ModeCurvature& curvature, Eigen::Index n) {
   MatrixXd A(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) A.col(i) = curvature.spread(VectorXd::Unit(n, i));
+  for (Eigen::Index i = 0; i < n; ++i) A.col(i) = curvature.transform_normal(VectorXd::Unit(n, i));
   return A;
 }
 
@@ -30,7 +30,9 @@ TEST(ModeCurvature, IsThatOfTheDenseJacobianWithAndWithoutBlocks) {
   LeastSquares blocks = least_squares(problem);
   const Eigen::Index n = problem.size();
   // One coordinate of all, and one of each specimen, held.
-  std::vector<Eigen::Index> held{3, blocks.layout.first(0) + 1, blocks.layout.first(1) + 2}, free;
+  std::vector<Eigen::Index> held{3, blocks.layout.first_index(0) + 1,
+                                 blocks.layout.first_index(1) + 2},
+      free;
   for (const Eigen::Index i : held) blocks.lower[i] = blocks.upper[i] = 0;
   for (Eigen::Index i = 0; i < n; ++i)
     if (std::count(held.begin(), held.end(), i) == 0) free.push_back(i);

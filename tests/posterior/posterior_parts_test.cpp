@@ -222,7 +222,7 @@ TEST(HandPosteriorValues, GoThereAndBack) {
   const HandPosterior posterior(problem);
   std::mt19937 rng(9);
   const VectorXd z = 0.7 * sample::normal(problem.size(), rng);
-  const VectorXd x = posterior.from_fit(z);
+  const VectorXd x = posterior.from_fit_coordinates(z);
   EXPECT_TRUE(matrix_near(posterior.fit_coordinates(x), z, 1e-12));
   EXPECT_TRUE(matrix_near(x.tail(4), VectorXd::Zero(4), 0)) << "factors are one";
   EXPECT_EQ(posterior.names().size(), static_cast<std::size_t>(posterior.size()));

@@ -22,14 +22,14 @@ namespace {
 std::string bytes_of(const Draws& draws) {
   StateWriter writer;
   for (std::size_t c = 0; c < draws.x.size(); ++c) {
-    writer.put(draws.x[c]);
+    writer.write(draws.x[c]);
     for (const StepStats& s : draws.stats[c])
       for (const double number :
            {s.log_prior, s.log_likelihood, s.acceptance, s.step_size, s.energy, double(s.depth),
             double(s.evaluations), double(s.non_finite), double(s.divergent)})
-        writer.put(number);
+        writer.write(number);
   }
-  writer.put(draws.swap_rate);
+  writer.write(draws.swap_rate);
   return writer.bytes();
 }
 

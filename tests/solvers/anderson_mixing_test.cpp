@@ -16,24 +16,24 @@ TEST(AndersonMixing, ArrivesWhereThreeSlowModesTendTo) {
   AndersonMixing mixing(3);
   VectorXd x = Vector4d::Zero();
   for (int k = 0; k < 6; ++k)
-    x += mixing.next((Vector4d::Ones() - left).cwiseProduct(goal - Vector4d(x)));
+    x += mixing.next_step((Vector4d::Ones() - left).cwiseProduct(goal - Vector4d(x)));
   EXPECT_LT((x - goal).norm(), 1e-12);
 }
 
 TEST(AndersonMixing, BeginsAnewWhereItForgets) {
   AndersonMixing mixing(3);
   const Vector4d first(1, 0, 0, 0), second(0.5, 0, 0, 0);
-  EXPECT_EQ(mixing.next(first), VectorXd(first));
-  EXPECT_NE(mixing.next(second), VectorXd(second));
+  EXPECT_EQ(mixing.next_step(first), VectorXd(first));
+  EXPECT_NE(mixing.next_step(second), VectorXd(second));
   mixing.clear();
-  EXPECT_EQ(mixing.next(second), VectorXd(second));
+  EXPECT_EQ(mixing.next_step(second), VectorXd(second));
 }
 
 TEST(AndersonMixing, IsAGeometricSeriesInOneDirection) {
   // 1 + 1/2 + 1/4 + .. = 2, of which 1 is gone after the first step.
   AndersonMixing mixing(1);
-  EXPECT_DOUBLE_EQ(mixing.next(VectorXd::Constant(1, 1))[0], 1);
-  EXPECT_DOUBLE_EQ(mixing.next(VectorXd::Constant(1, 0.5))[0], 1);
+  EXPECT_DOUBLE_EQ(mixing.next_step(VectorXd::Constant(1, 1))[0], 1);
+  EXPECT_DOUBLE_EQ(mixing.next_step(VectorXd::Constant(1, 0.5))[0], 1);
 }
 
 }  // namespace

@@ -39,16 +39,16 @@ std::vector<ArrowRows> random_rows(bool prior, std::mt19937& rng) {
 TEST(ArrowFactor, IsThatOfTheDenseJacobian) {
   std::mt19937 rng(1);
   const std::vector<ArrowRows> rows = random_rows(true, rng);
-  const MatrixXd J = dense(kLayout, rows), H = J.transpose() * J;
+  const MatrixXd J = dense_rows(kLayout, rows), H = J.transpose() * J;
   const ArrowFactor factor(kLayout, rows);
   EXPECT_TRUE(matrix_near(factor.inverse(), H.inverse(), 1e-13));
   EXPECT_NEAR(factor.log_determinant(), std::log(H.determinant()), 1e-12);
   const VectorXd v = sample::normal(kLayout.size(), rng);
   EXPECT_NEAR(factor.squared_norm(v), (J * v).squaredNorm(), 1e-12);
   EXPECT_NEAR(factor.whiten(v).squaredNorm(), v.dot(H.inverse() * v), 1e-12);
-  EXPECT_NEAR(factor.squared_norm(factor.colour(v)), v.squaredNorm(), 1e-12 * v.squaredNorm());
+  EXPECT_NEAR(factor.squared_norm(factor.unwhiten(v)), v.squaredNorm(), 1e-12 * v.squaredNorm());
   for (const ArrowRows& part : rows) {
-    const MatrixXd W = factor.whiten(part), own = dense(kLayout, {part});
+    const MatrixXd W = factor.whiten(part), own = dense_rows(kLayout, {part});
     EXPECT_TRUE(matrix_near(W.transpose() * W, own * H.inverse() * own.transpose(), 1e-12));
   }
 }
@@ -84,13 +84,13 @@ TEST(ArrowFactor, KeepsDigitsThatNormalEquationsLose) {
 
 /// A null space as orthonormal columns of all coordinates.
 MatrixXd columns_of(const ArrowNullSpace& nulls) {
-  MatrixXd N = nulls.together;
+  MatrixXd N = nulls.coupled;
   for (int b = 0; b < kLayout.blocks; ++b) {
-    const MatrixXd& alone = nulls.alone[static_cast<std::size_t>(b)];
+    const MatrixXd& alone = nulls.own[static_cast<std::size_t>(b)];
     const Eigen::Index before = N.cols();
     N.conservativeResize(kLayout.size(), before + alone.cols());
     N.rightCols(alone.cols()).setZero();
-    N.block(kLayout.first(b), before, kLayout.own, alone.cols()) = alone;
+    N.block(kLayout.first_index(b), before, kLayout.own, alone.cols()) = alone;
   }
   return N;
 }
@@ -106,7 +106,7 @@ TEST(ArrowNullSpace, IsThatOfTheDenseSingularValues) {
       part.shared.col(2) = part.own.col(0);
     else
       part.shared.col(2).setZero();
-  const MatrixXd J = dense(kLayout, rows);
+  const MatrixXd J = dense_rows(kLayout, rows);
   const auto rank = (J.jacobiSvd().singularValues().array() > 1e-9).count();
   const MatrixXd N = columns_of(arrow_null_space(kLayout, rows, 1e-9));
   EXPECT_EQ(N.cols(), kLayout.size() - rank);
@@ -122,13 +122,13 @@ TEST(ArrowNullSpace, IsEverythingWithoutData) {
 TEST(ArrowFactor, HasTheBlocksOfTheDenseInverse) {
   std::mt19937 rng(4);
   const std::vector<ArrowRows> rows = random_rows(true, rng);
-  const MatrixXd J = dense(kLayout, rows), C = (J.transpose() * J).inverse();
+  const MatrixXd J = dense_rows(kLayout, rows), C = (J.transpose() * J).inverse();
   const ArrowMatrix blocks = ArrowFactor(kLayout, rows).inverse_blocks();
   EXPECT_TRUE(matrix_near(blocks.diagonal(), C.diagonal(), 1e-13));
   for (int b = -1; b < kLayout.blocks; ++b) {
     std::vector<int> on{0, 1, 2};
-    if (b >= 0) on.insert(on.end(), {kLayout.first(b), kLayout.first(b) + 1});
-    EXPECT_TRUE(matrix_near(blocks.of(b), C(on, on), 1e-13)) << b;
+    if (b >= 0) on.insert(on.end(), {kLayout.first_index(b), kLayout.first_index(b) + 1});
+    EXPECT_TRUE(matrix_near(blocks.block_entries(b), C(on, on), 1e-13)) << b;
   }
 }
 

@@ -25,7 +25,7 @@ MatrixXd spread(int block, const MatrixXd& J) {
   MatrixXd all = MatrixXd::Zero(J.rows(), kWithPriors.size());
   all.leftCols(kWithPriors.shared) = J.leftCols(kWithPriors.shared);
   if (block >= 0)
-    all.middleCols(kWithPriors.first(block), kWithPriors.own) = J.rightCols(kWithPriors.own);
+    all.middleCols(kWithPriors.first_index(block), kWithPriors.own) = J.rightCols(kWithPriors.own);
   return all;
 }
 
@@ -50,7 +50,7 @@ struct SampleSquares {
       add(b, prior);
       add(b, normal_rows(2, b, rng));
       const MatrixXd J = taken * normal_rows(1, b, rng);
-      arrow.take(b, J);
+      arrow.subtract(b, J);
       const MatrixXd all = spread(b, J);
       dense -= all.transpose() * all;
     }

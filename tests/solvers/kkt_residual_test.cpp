@@ -82,8 +82,8 @@ TEST(KktResidual, NanIsNeverWithinBounds) {
 
 // |(-2, -1)| + |1| (1, 1) + |(1, 0)| = (4, 2).
 TEST(KktResidual, ScaleOfRoundingIsTheSumOfSizes) {
-  EXPECT_DOUBLE_EQ(slope_terms(nearest_point(), Vector2d(1, 1), VectorXd::Ones(1), Vector2d(1, 0)),
-                   4);
+  EXPECT_DOUBLE_EQ(
+      gradient_scale(nearest_point(), Vector2d(1, 1), VectorXd::Ones(1), Vector2d(1, 0)), 4);
 }
 
 }  // namespace

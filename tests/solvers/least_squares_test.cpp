@@ -483,7 +483,7 @@ TEST(Kinks, AreWhereAFitMayEnd) {
   for (const Vector2d& start : {Vector2d(0, 0), Vector2d(5, 1), Vector2d(1, 6)}) {
     const Solution solution = solve(bent_kink(), start);
     EXPECT_EQ(solution.status, Status::kSolved) << solution.message;
-    EXPECT_GE(solution.sides, 2);
+    EXPECT_GE(solution.kink_sides, 2);
     // 3e-3 sds may be left, of 1 / sqrt(1 + ..) along the kink; sides are 1e-3 sds apart.
     EXPECT_TRUE(matrix_near(solution.z, Vector2d(x, x * x / 4), 1e-2)) << solution.message;
     EXPECT_NEAR(solution.cost, 0.5 * (1 + (x - 3) * (x - 3) + std::pow(x, 4) / 1600), 1e-3);
@@ -503,7 +503,7 @@ TEST(Kinks, AreCrossedWhereTheCostFallsOn) {
   };
   const Solution solution = solve(problem, Vector2d(2, -3));
   EXPECT_EQ(solution.status, Status::kSolved) << solution.message;
-  EXPECT_EQ(solution.sides, 1);
+  EXPECT_EQ(solution.kink_sides, 1);
   EXPECT_TRUE(matrix_near(solution.z, Vector2d(0, 2.0 / 3), 1e-4));
 }
 

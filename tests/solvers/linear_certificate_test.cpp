@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using internal::certify;
 using internal::dense_simplex;
-using internal::holds;
+using internal::is_certified;
 using sample::textbook;
 
 TEST(LinearCertificate, HoldsAtTheOptimum) {
@@ -30,14 +30,14 @@ TEST(LinearCertificate, HoldsAtTheOptimum) {
   EXPECT_EQ(certificate.violation, 0);
   EXPECT_EQ(certificate.dual_violation, 0);
   EXPECT_EQ(certificate.gap, 0);
-  EXPECT_TRUE(holds(certificate, 11));
+  EXPECT_TRUE(is_certified(certificate, 11));
 }
 
 // At (3, 0) the objective is 9: the same duals say that 2 is missing, which is the truth.
 TEST(LinearCertificate, GapIsWhatAnotherVertexMisses) {
   const LinearCertificate certificate = certify(textbook(), {Vector2d(3, 0), Vector2d(2, 0)});
   EXPECT_EQ(certificate.gap, 2);
-  EXPECT_FALSE(holds(certificate, 9));
+  EXPECT_FALSE(is_certified(certificate, 9));
 }
 
 // The objective falls by 1 where y falls to its lower bound, but x rises to where there is none.
@@ -46,7 +46,7 @@ TEST(LinearCertificate, PricesOfTheWrongSignAreUnpriced) {
   program.upper(0) = kInfinity;
   const LinearCertificate certificate = certify(program, {Vector2d(0, 0), Vector2d(0, 0)});
   EXPECT_EQ(certificate.dual_violation, 1);  // 3 of terms that add to 3
-  EXPECT_FALSE(holds(certificate, 0));
+  EXPECT_FALSE(is_certified(certificate, 0));
 }
 
 TEST(LinearCertificate, ViolationsAreSeenInBoundsAndRows) {
@@ -67,8 +67,8 @@ TEST(LinearCertificate, RowsThatOverflowProveNothing) {
 
 TEST(LinearCertificate, NaNProvesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(holds(certify(textbook(), {Vector2d(nan, 1), Vector2d(2, 0)}), 11));
-  EXPECT_FALSE(holds(certify(textbook(), {Vector2d(3, 1), Vector2d(2, nan)}), 11));
+  EXPECT_FALSE(is_certified(certify(textbook(), {Vector2d(nan, 1), Vector2d(2, 0)}), 11));
+  EXPECT_FALSE(is_certified(certify(textbook(), {Vector2d(3, 1), Vector2d(2, nan)}), 11));
 }
 
 // Basic are y and the activity of the second row: x = 3, x + y = 4.
@@ -81,7 +81,7 @@ TEST(LinearCertificate, VertexOfABasisIsExact) {
 
 TEST(DenseSimplex, FindsTextbookVertex) {
   const internal::SimplexVertex vertex = dense_simplex(textbook());
-  EXPECT_EQ(vertex.end, Status::kSolved);
+  EXPECT_EQ(vertex.claim, Status::kSolved);
   EXPECT_TRUE(matrix_near(internal::vertex_of(textbook(), vertex.basis).x, Vector2d(3, 1), 1e-15));
 }
 
@@ -89,10 +89,10 @@ TEST(DenseSimplex, NamesContradictionAndUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_lower(0) = 5;  // against x <= 3 and x + 3y <= 6
   program.row_upper(0) = 6;
-  EXPECT_EQ(dense_simplex(program).end, Status::kInfeasible);
+  EXPECT_EQ(dense_simplex(program).claim, Status::kInfeasible);
   program = textbook();
   program.row_upper.setConstant(kInfinity);
-  EXPECT_EQ(dense_simplex(program).end, Status::kUnbounded);
+  EXPECT_EQ(dense_simplex(program).claim, Status::kUnbounded);
 }
 
 // Cycles under the steepest price alone: maximise 0.75 a - 150 b + 0.02 c - 6 d [Beale1955]; its
@@ -106,7 +106,7 @@ TEST(DenseSimplex, EndsWhereSteepestPricesCycle) {
   program.lower = VectorXd::Zero(4);
   program.upper = VectorXd::Constant(4, kInfinity);
   const internal::SimplexVertex vertex = dense_simplex(program);
-  EXPECT_EQ(vertex.end, Status::kSolved);
+  EXPECT_EQ(vertex.claim, Status::kSolved);
   EXPECT_NEAR(program.objective.dot(internal::vertex_of(program, vertex.basis).x), 0.05, 1e-15);
 }
 
@@ -127,13 +127,13 @@ TEST(DenseSimplex, AgreesWithTheProgramsAsked) {
     program.row_upper = program.row_lower;
     if (rows > 1) program.row_lower(0) = -kInfinity;
     const internal::SimplexVertex vertex = dense_simplex(program);
-    ASSERT_EQ(vertex.end, Status::kSolved) << i;
+    ASSERT_EQ(vertex.claim, Status::kSolved) << i;
     const internal::PrimalDualPoint point = internal::vertex_of(program, vertex.basis);
     const double objective = program.objective.dot(point.x);
-    ASSERT_TRUE(holds(certify(program, point), objective)) << i;
+    ASSERT_TRUE(is_certified(certify(program, point), objective)) << i;
     const LinearResult asked = solve(program);
     ASSERT_EQ(asked.status, Status::kSolved);
-    ASSERT_TRUE(holds(asked.certificate, asked.objective));
+    ASSERT_TRUE(is_certified(asked.certificate, asked.objective));
     ASSERT_NEAR(asked.objective, objective, 1e-12) << i;
   }
 }

@@ -31,7 +31,7 @@ Matrix3d sample_matrix() {
 TEST(MatrixInequality, ValueIsTheSum) {
   const Matrix2d C = Matrix2d::Identity(), M = (Matrix2d() << 0, 1, 1, 0).finished();
   const MatrixInequality each{C, {{1, M}, {0, 2 * C}}};
-  EXPECT_TRUE(matrix_near(value_at(each, Eigen::Vector2d(3, -4)), 7 * C - 4 * M, 1e-15));
+  EXPECT_TRUE(matrix_near(evaluate(each, Eigen::Vector2d(3, -4)), 7 * C - 4 * M, 1e-15));
 }
 
 // What is a hair below the least eigenvalue is reached, a hair above it is not.

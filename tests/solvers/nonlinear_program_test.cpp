@@ -113,7 +113,7 @@ TEST(NonlinearProgram, StatesWhatIsLeft) {
 // Where nothing at all may be left, even Ipopt's best second run is refused.
 TEST(NonlinearProgram, RefusesPointsWhoseConditionsFail) {
   NonlinearOptions strict;
-  strict.certified = 0;
+  strict.kkt_tolerance = 0;
   strict.acceptable_tolerance = 0;
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), strict);
   EXPECT_EQ(result.status, Status::kStalled);

@@ -14,7 +14,7 @@
 namespace thenar::internal {
 namespace {
 
-/// The library that MPI_Init comes from: a sequential MUMPS below Ipopt has a fake one.
+/// Returns the library of MPI_Init: the sequential MUMPS used by Ipopt has a dummy one.
 std::string library_of_mpi() {
   Dl_info info;
   if (dladdr(reinterpret_cast<const void*>(&MPI_Init), &info) == 0 || !info.dli_fname) return "";
@@ -28,6 +28,7 @@ void require_real_mpi() {
           "MPI_Init must come from libmpi, but comes from '{}': link MPI before Ipopt", path);
 }
 
+/// Communicator of all processes of MPI_COMM_WORLD.
 class MpiRanks : public Communicator {
  public:
   MpiRanks() {
@@ -51,14 +52,14 @@ class MpiRanks : public Communicator {
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int size() const override { return size_; }
 
-  // Errors of MPI end all ranks: that is its default, and what is wanted.
+  // MPI errors end all ranks, by its default error handler.
   [[nodiscard]] Eigen::VectorXd all_gather(const Eigen::VectorXd& mine) const override {
-    // Lengths first, as they may differ.
+    // Gather the lengths.
     const int length = static_cast<int>(mine.size());
     std::vector<int> lengths(static_cast<std::size_t>(size_)), starts(lengths.size(), 0);
     MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
     std::partial_sum(lengths.begin(), lengths.end() - 1, starts.begin() + 1);
-    // Then the numbers, rank by rank.
+    // Gather the numbers, rank by rank.
     Eigen::VectorXd all(starts.back() + lengths.back());
     MPI_Allgatherv(mine.data(), length, MPI_DOUBLE, all.data(), lengths.data(), starts.data(),
                    MPI_DOUBLE, MPI_COMM_WORLD);
@@ -68,7 +69,7 @@ class MpiRanks : public Communicator {
   void barrier() const override { MPI_Barrier(MPI_COMM_WORLD); }
 
   [[noreturn]] void abort(const std::string& why) const override {
-    // The last word of this process: nobody is left to catch an exception.
+    // Report the error, because no exception can reach the caller.
     std::fprintf(stderr, "thenar: rank %d: %s\n", rank_, why.c_str());
     MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
     std::abort();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The fence of MPI; compiled only where MPI is installed.
+/// MPI communicator, the only code that includes MPI; compiled only if MPI is installed.
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 namespace thenar::internal {
 
 /// Initialises MPI; the destructor finalises it. Call it once in a process. Destruction while an
-/// exception unwinds the stack ends all ranks, since the others would wait for ever.
+/// exception unwinds the stack ends all ranks, since the others would wait forever.
 /// @throws InputError if MPI_Init does not come from an MPI library.
 [[nodiscard]] std::unique_ptr<Communicator> mpi_communicator();
 

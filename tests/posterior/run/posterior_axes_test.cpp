@@ -91,9 +91,9 @@ TEST(PosteriorAxes, AreThoseOfTiltsAndShifts) {
 TEST(PosteriorAxes, AreAsLikelyInEitherOrderBeforehand) {
   for (const PosteriorAxes& of : posterior_axes(skewed(), 4000)) {
     if (of.axes.name.find("PIP") != std::string::npos) {
-      EXPECT_EQ(of.second_distal_before, 1) << of.axes.name;  // a phalanx lies between them
+      EXPECT_EQ(of.second_distal_prior, 1) << of.axes.name;  // a phalanx lies between them
     } else {
-      EXPECT_NEAR(of.second_distal_before, 0.5, 4 * 0.5 / std::sqrt(4000)) << of.axes.name;
+      EXPECT_NEAR(of.second_distal_prior, 0.5, 4 * 0.5 / std::sqrt(4000)) << of.axes.name;
     }
   }
 }

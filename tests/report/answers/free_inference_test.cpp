@@ -42,7 +42,7 @@ InferNetResult three_beliefs() {
   slack.name = "triangular";
   slack.probability = 0.5;
   slack.error = 0.02;
-  slack.why = WhyUntold::kSlack;
+  slack.why = UndecidedReason::kSlack;
   needed.name = "lateral";
   needed.probability = 1;
   needed.log_odds = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ InferNetResult three_beliefs() {
   RankedTrial trial;
   trial.name = "Hook EDC=3";
   trial.information = 0.25;
-  trial.most_told = "triangular";
+  trial.most_informed_band = "triangular";
   free.next = {trial};
   free.pool = 4;
   free.next_mean = 0.1;

@@ -35,9 +35,9 @@ TEST_F(HoodRowAnswer, SetsANetBesideFractionsWhereSomethingIsLeftOut) {
   ASSERT_EQ(json["rows"].size(), 2U);
   const std::vector<std::string> muscles{"EDC", "RI", "LU", "UI"};
   const double with_net =
-      hood_row_errors(result.left_out[0].experiments[0], muscles)->together.relative;
+      hood_row_errors(result.left_out[0].experiments[0], muscles)->total.relative;
   const double with_fractions =
-      hood_row_errors(result.fractions->left_out[0].experiments[0], muscles)->together.relative;
+      hood_row_errors(result.fractions->left_out[0].experiments[0], muscles)->total.relative;
   EXPECT_NE(with_net, with_fractions);
   EXPECT_EQ(json["rows"][1]["relative_error"]["together"], with_net);
   EXPECT_EQ(json["rows"][1]["relative_error_with_fractions"]["together"], with_fractions);

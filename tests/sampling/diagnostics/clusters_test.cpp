@@ -58,7 +58,7 @@ TEST(Clusters, RefuseChainsOfAnotherLength) {
 TEST(Clusters, AreNumberedByFallingFrequency) {
   const Eigen::MatrixXi labels = (Eigen::MatrixXi(4, 2) << 7, 5, 7, 2, 2, 7, 7, 5).finished();
   const Eigen::MatrixXi numbers = (Eigen::MatrixXi(4, 2) << 0, 2, 0, 1, 1, 0, 0, 2).finished();
-  EXPECT_EQ(by_falling_mass(labels), numbers);
+  EXPECT_EQ(relabel_by_mass(labels), numbers);
 }
 
 }  // namespace

@@ -273,7 +273,7 @@ TEST(Hamiltonian, ContinuesToTheBitFromWhatItSaved) {
         parts = build();
         StateReader reader(saved.bytes());
         parts->restore(reader);
-        ASSERT_TRUE(reader.done());
+        ASSERT_TRUE(reader.at_end());
         ASSERT_EQ(parts->positions(), whole->positions()) << step;
         ASSERT_EQ(parts->asks(), whole->asks()) << step;
       }

@@ -15,7 +15,7 @@ namespace {
 void leap(PhasePoint& point, const Whitening& whitening, double step) {
   begin_leapfrog(point, whitening, step);
   Eigen::VectorXd x;
-  whitening.place(point.y, x);
+  whitening.to_position(point.y, x);
   end_leapfrog(point, whitening, -x, step);
 }
 
@@ -45,7 +45,7 @@ TEST(Leapfrog, RunsBackToItsStart) {
   const PhasePoint start = oscillator();
   PhasePoint point = start;
   Eigen::VectorXd x;
-  whitening.place(point.y, x);
+  whitening.to_position(point.y, x);
   whitening.whiten_gradient(point.y, -x, point.slope);
   for (int k = 0; k < 20; ++k) leap(point, whitening, 0.1);
   EXPECT_GT((point.y - start.y).norm(), 0.1);
@@ -56,7 +56,7 @@ TEST(Leapfrog, RunsBackToItsStart) {
 /// Coordinates of a standard normal density that run along its orbits.
 Whitening orbiting() {
   Whitening whitening(Metric::kDense, kOrigin);
-  EXPECT_TRUE(whitening.set(kOrigin, Eigen::Matrix2d::Identity(), {}, true));
+  EXPECT_TRUE(whitening.set_map(kOrigin, Eigen::Matrix2d::Identity(), {}, true));
   return whitening;
 }
 
@@ -96,16 +96,16 @@ TEST(Leapfrog, IsStableAlongOrbitsOfAWiderTarget) {
 // leapfrogs.
 TEST(JitteredLength, TakesAsManyStepsAsItsLength) {
   RandomStream random(1, 0, 0);
-  const auto trajectory = jittered_length();
+  const auto trajectory = jittered_trajectory();
   for (const double step : {0.01, 0.7, 5.0})
     for (int run = 0; run < 20; ++run) {
       trajectory->start(oscillator(), step, random);
       int steps = 1;
-      while (!trajectory->judge(0, random).end) ++steps;
-      const double length = steps * trajectory->leap();
+      while (!trajectory->assess_point(0, random).is_complete) ++steps;
+      const double length = steps * trajectory->leapfrog_length();
       EXPECT_GE(length, 1.413);
       EXPECT_LE(length, 2.514);
-      EXPECT_LE(trajectory->leap(), step);
+      EXPECT_LE(trajectory->leapfrog_length(), step);
       EXPECT_LT(length, (steps - 1) * step + step * (1 + 1e-12));
       EXPECT_GT(length, (steps - 1) * step);
       EXPECT_EQ(trajectory->acceptance(), 1);
@@ -115,12 +115,12 @@ TEST(JitteredLength, TakesAsManyStepsAsItsLength) {
 // Divergence ends a trajectory without a new choice.
 TEST(NoUTurn, EndsWhereTheEnergyErrorIsLarge) {
   RandomStream random(1, 0, 0);
-  const auto trajectory = no_u_turn(2, 10);
+  const auto trajectory = no_u_turn_trajectory(2, 10);
   trajectory->start(oscillator(), 0.1, random);
-  const Verdict verdict = trajectory->judge(kMaxEnergyError + 1, random);
-  EXPECT_TRUE(verdict.end);
-  EXPECT_FALSE(verdict.take);
-  EXPECT_FALSE(verdict.adopt);
+  const Verdict verdict = trajectory->assess_point(kMaxEnergyError + 1, random);
+  EXPECT_TRUE(verdict.is_complete);
+  EXPECT_FALSE(verdict.is_candidate);
+  EXPECT_FALSE(verdict.selects_candidate);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(WarmUp, StepsLessThanAQuarterTurnAlongOrbits) {
     const Eigen::Vector2d x(random.normal(), random.normal());
     warm_up.learn(step, x, -x, 1);
   }
-  ASSERT_TRUE(warm_up.whitening().orbits());
+  ASSERT_TRUE(warm_up.whitening().follows_orbits());
   for (int trial = 0; trial < 10 && warm_up.searching(); ++trial) {
     EXPECT_LE(warm_up.step(), 0.4 * kPi);
     warm_up.learn_trial(0);
@@ -80,7 +80,7 @@ TEST(WarmUp, StepsLessThanAQuarterTurnAlongOrbits) {
   EXPECT_FALSE(warm_up.searching());
   for (long step = 66; step <= 100; ++step) {
     warm_up.learn(step, Eigen::Vector2d(0, 0), Eigen::Vector2d(0, 0), 1);
-    warm_up.settle(step);
+    warm_up.freeze_after_warm_up(step);
     EXPECT_LE(warm_up.step(), 0.4 * kPi);
   }
   EXPECT_NEAR(warm_up.step(), 0.4 * kPi, 1e-12);
@@ -92,7 +92,7 @@ TEST(WarmUp, LearnsNothingAfterwards) {
   warm_up.learn_trial(0);
   const auto learn = [&warm_up](long step, double acceptance) {
     warm_up.learn(step, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), acceptance);
-    warm_up.settle(step);
+    warm_up.freeze_after_warm_up(step);
   };
   for (long step = 1; step <= 10; ++step) learn(step, 0.5);
   const double step_size = warm_up.step();
@@ -106,7 +106,7 @@ TEST(WarmUp, EndsItsSearchWithTheLastStep) {
   warm_up.learn_trial(0);  // accepted: twice as much would be next
   for (long step = 1; step <= 30; ++step) {
     EXPECT_TRUE(warm_up.searching());
-    warm_up.settle(step);
+    warm_up.freeze_after_warm_up(step);
   }
   EXPECT_FALSE(warm_up.searching());
   EXPECT_EQ(warm_up.step(), 2);

@@ -69,13 +69,13 @@ TEST(LearnWhitening, FindsANormalTargetFromItsGradients) {
   ASSERT_TRUE(learn_whitening(draws, whitening));
   EXPECT_TRUE(matrix_near(whitening.covariance().cwiseQuotient(target.covariance),
                           Eigen::Matrix2d::Ones(), 0.01));
-  EXPECT_TRUE(whitening.orbits());
-  EXPECT_FALSE(whitening.bends());
+  EXPECT_TRUE(whitening.follows_orbits());
+  EXPECT_FALSE(whitening.is_bent());
   // Along orbits nothing but the misfit of the covariance is left of a gradient.
   for (int i = 0; i < 10; ++i) {
     const VectorXd x = draws.x().col(i), gradient = draws.gradient().col(i);
     VectorXd left(2);
-    whitening.whiten_gradient(whitening.whitened(x), gradient, left);
+    whitening.whiten_gradient(whitening.to_whitened(x), gradient, left);
     EXPECT_LT(left.norm(), 0.03);
   }
 }
@@ -107,10 +107,10 @@ struct Bent {
   [[nodiscard]] double left(const Whitening& whitening) const {
     double sum = 0;
     for (std::uint32_t i = 0; i < 2000; ++i) {
-      const VectorXd y = normal(1000000 + i, 5), x = y + bend(y), at = whitening.whitened(x);
+      const VectorXd y = normal(1000000 + i, 5), x = y + bend(y), at = whitening.to_whitened(x);
       VectorXd slope(5);
       whitening.whiten_gradient(at, gradient(x), slope);
-      if (!whitening.orbits()) slope += at;
+      if (!whitening.follows_orbits()) slope += at;
       sum += slope.squaredNorm() / 2000;
     }
     return sum;
@@ -124,7 +124,7 @@ TEST(LearnWhitening, StraightensABentTargetInFirstOrder) {
     const Bent target{strength};
     Whitening bent(Metric::kDense, VectorXd::Zero(5));
     EXPECT_TRUE(learn_whitening(target.draws(4000), bent));
-    EXPECT_TRUE(bent.bends());
+    EXPECT_TRUE(bent.is_bent());
     Whitening straight(Metric::kDense, VectorXd::Zero(5));
     return target.left(bent) / target.left(straight);
   };
@@ -144,7 +144,7 @@ TEST(LearnWhitening, StaysStraightWhereNothingBends) {
   for (const int count : {20, 100, 400}) {
     Whitening whitening(Metric::kDense, VectorXd::Zero(6));
     ASSERT_TRUE(learn_whitening(draws_of(6, count, place, gradient), whitening));
-    EXPECT_FALSE(whitening.bends()) << count;
+    EXPECT_FALSE(whitening.is_bent()) << count;
   }
 }
 
@@ -154,7 +154,7 @@ TEST(LearnWhitening, IsDiagonalWhereAskedFor) {
   ASSERT_TRUE(learn_whitening(draws, whitening));
   EXPECT_TRUE(matrix_near(whitening.covariance(),
                           shrunk_covariance(draws.x(), Eigen::Vector2d(1, 1)), 1e-12));
-  EXPECT_FALSE(whitening.orbits());
+  EXPECT_FALSE(whitening.follows_orbits());
 }
 
 TEST(LearnWhitening, LearnsNothingFromASingleDraw) {

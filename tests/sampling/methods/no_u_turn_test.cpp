@@ -30,14 +30,14 @@ Whitening whitening() {
   bend.drivers = 1;
   bend.strength = Eigen::Vector2d(0, 0.2);
   const Eigen::Matrix2d F = (Eigen::Matrix2d() << 1, 0, 0.3, 0.6).finished();
-  EXPECT_TRUE(made.set(Eigen::Vector2d(0.1, -0.2), F, bend, true));
+  EXPECT_TRUE(made.set_map(Eigen::Vector2d(0.1, -0.2), F, bend, true));
   return made;
 }
 const Whitening kWhitening = whitening();
 
 Eigen::VectorXd place(const PhasePoint& p) {
   Eigen::VectorXd x;
-  kWhitening.place(p.y, x);
+  kWhitening.to_position(p.y, x);
   return x;
 }
 
@@ -162,20 +162,20 @@ TreeChoice by_recursion(const PhasePoint& from, double step, int max_depth, Rand
 }
 
 TreeChoice by_loop(const PhasePoint& from, double step, int max_depth, RandomStream& random) {
-  const auto trajectory = no_u_turn(2, max_depth);
+  const auto trajectory = no_u_turn_trajectory(2, max_depth);
   const double start_energy = energy(from);
   TreeChoice outcome{from};
   PhasePoint candidate;
   trajectory->start(from, step, random);
   while (true) {
-    PhasePoint& moving = trajectory->moving();
-    leapfrog(moving, trajectory->leap());
+    PhasePoint& moving = trajectory->moving_point();
+    leapfrog(moving, trajectory->leapfrog_length());
     const PhasePoint latest = moving;
     ++outcome.leapfrogs;
-    const Verdict verdict = trajectory->judge(energy(latest) - start_energy, random);
-    if (verdict.take) candidate = latest;
-    if (verdict.adopt) outcome.choice = candidate;
-    if (verdict.end) break;
+    const Verdict verdict = trajectory->assess_point(energy(latest) - start_energy, random);
+    if (verdict.is_candidate) candidate = latest;
+    if (verdict.selects_candidate) outcome.choice = candidate;
+    if (verdict.is_complete) break;
   }
   outcome.depth = trajectory->depth();
   return outcome;
@@ -199,11 +199,11 @@ TEST(NoUTurn, ChoosesAsRecursionDoes) {
 
 TEST(NoUTurn, EndsWhereTheEnergyErrorIsTooLarge) {
   RandomStream random(1, 0, 0);
-  const auto trajectory = no_u_turn(2, 10);
+  const auto trajectory = no_u_turn_trajectory(2, 10);
   trajectory->start(at({0, 0}, {1, 0}), 0.1, random);
-  const Verdict verdict = trajectory->judge(1001, random);
-  EXPECT_TRUE(verdict.end);
-  EXPECT_FALSE(verdict.adopt);
+  const Verdict verdict = trajectory->assess_point(1001, random);
+  EXPECT_TRUE(verdict.is_complete);
+  EXPECT_FALSE(verdict.selects_candidate);
   EXPECT_EQ(trajectory->acceptance(), 0);
 }
 
@@ -212,10 +212,10 @@ TEST(JitteredLength, RunsAQuarterTurnOrSomewhatMore) {
   int least = 1000, most = 0;
   for (std::uint32_t i = 0; i < 500; ++i) {
     RandomStream random(1, 0, i);
-    const auto trajectory = jittered_length();
+    const auto trajectory = jittered_trajectory();
     trajectory->start(at({0, 0}, {1, 0}), step, random);
     int leapfrogs = 1;
-    while (!trajectory->judge(0, random).end) ++leapfrogs;
+    while (!trajectory->assess_point(0, random).is_complete) ++leapfrogs;
     least = std::min(least, leapfrogs);
     most = std::max(most, leapfrogs);
   }

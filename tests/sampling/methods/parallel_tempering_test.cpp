@@ -46,8 +46,8 @@ TEST(DecideSwaps, ExchangesAsOftenAsTheRatioOfDensitiesSays) {
   for (int round = 0; round < kRounds; ++round)
     swap_counts.add(decide_swaps(beta, log_likelihood, 3, 7, 2 * round));
   const double p = std::exp(-1.5);
-  EXPECT_NEAR(swap_counts.rejected()[0], 1 - p, 1e-12);
-  EXPECT_NEAR(swap_counts.rate()[0], p, 4 * std::sqrt(p * (1 - p) / kRounds));
+  EXPECT_NEAR(swap_counts.rejection_rate()[0], 1 - p, 1e-12);
+  EXPECT_NEAR(swap_counts.swap_rate()[0], p, 4 * std::sqrt(p * (1 - p) / kRounds));
   EXPECT_EQ(decide_swaps(beta, Eigen::RowVector2d(-4, -2), 3, 7, 0).probability(0, 0), 1);
 }
 
@@ -84,7 +84,7 @@ TEST(SwapCounts, ComesBackExactly) {
   EXPECT_EQ(again.tried, swap_counts.tried);
   EXPECT_EQ(again.accepted, swap_counts.accepted);
   EXPECT_EQ(again.probability, swap_counts.probability);
-  EXPECT_TRUE(std::isnan(again.rate()[1]));  // an odd pair
+  EXPECT_TRUE(std::isnan(again.swap_rate()[1]));  // an odd pair
 }
 
 // Refusals for which the answer is plain: an even barrier needs no change; if all of it lies
@@ -126,7 +126,7 @@ Eigen::VectorXd refusals(const Eigen::VectorXd& beta, unsigned seed) {
   SwapCounts swap_counts(static_cast<int>(beta.size()));
   for (const int round : {0, 1})
     swap_counts.add(decide_swaps(beta, log_likelihood, seed, 0, round));
-  return swap_counts.rejected();
+  return swap_counts.rejection_rate();
 }
 
 // Hardly one swap in fifty passes the worst place of the ladder, until the rungs are moved there.

@@ -178,7 +178,7 @@ TEST_P(EverySampler, GoesOnAfterRestoreAsIfNothingHappened) {
     first[0]->save(saved);
     StateReader reader(saved.bytes());
     second[0]->restore(reader);
-    EXPECT_TRUE(reader.done());
+    EXPECT_TRUE(reader.at_end());
     EXPECT_EQ(second[0]->steps(), at);
     EXPECT_EQ(second[0]->positions(), first[0]->positions());
     EXPECT_EQ(second[0]->asks(), first[0]->asks());
@@ -249,7 +249,7 @@ TEST_P(EverySampler, RefusesStepsWhoseRandomNumbersWouldRepeat) {
   advance({early[0].get()}, known.target, 20);
   StateWriter saved, number;
   early[0]->save(saved);
-  number.put(kAll - 2);
+  number.write(kAll - 2);
   StateReader reader(number.bytes() + saved.bytes().substr(number.bytes().size()));
   late[0]->restore(reader);
   advance({late[0].get()}, known.target, kAll - 1);

@@ -12,23 +12,23 @@ namespace {
 TEST(StateBytes, ComeBackExactly) {
   const Eigen::MatrixXd matrix = (Eigen::MatrixXd(2, 3) << 1, -0.1, 1e300, 3, 4e-310, 5).finished();
   StateWriter writer;
-  writer.put(0.1);
-  writer.put(std::int64_t{-7});
-  writer.put(matrix);
-  writer.put(Eigen::MatrixXd(0, 4));
+  writer.write(0.1);
+  writer.write(std::int64_t{-7});
+  writer.write(matrix);
+  writer.write(Eigen::MatrixXd(0, 4));
   StateReader reader(writer.bytes());
   EXPECT_EQ(reader.number(), 0.1);
   EXPECT_EQ(reader.integer(), -7);
   EXPECT_EQ(reader.matrix(), matrix);
   EXPECT_EQ(reader.matrix().cols(), 4);
-  EXPECT_TRUE(reader.done());
+  EXPECT_TRUE(reader.at_end());
 }
 
 TEST(StateBytes, PartsKeepTheirLengths) {
   StateWriter writer;
-  writer.put_bytes(std::string("a\0b", 3));
-  writer.put_bytes("");
-  writer.put(2.0);
+  writer.write_bytes(std::string("a\0b", 3));
+  writer.write_bytes("");
+  writer.write(2.0);
   StateReader reader(writer.bytes());
   EXPECT_EQ(reader.bytes(), std::string("a\0b", 3));
   EXPECT_EQ(reader.bytes(), "");
@@ -38,7 +38,7 @@ TEST(StateBytes, PartsKeepTheirLengths) {
 
 TEST(StateBytes, CutShortIsRefused) {
   StateWriter writer;
-  writer.put(Eigen::MatrixXd::Ones(3, 3));
+  writer.write(Eigen::MatrixXd::Ones(3, 3));
   StateReader reader(writer.bytes().substr(0, 40));
   EXPECT_THROW((void)reader.matrix(), InputError);
 }

@@ -21,7 +21,7 @@ TEST(DualAveraging, FindsTheStepOfTheAcceptanceAskedFor) {
       for (int i = 0; i < 3000; ++i) averaging.learn(std::exp(-averaging.step()), kInfinity);
       const double step = -std::log(target);
       const double left = 0.05 * std::abs(std::log(10 * start / step)) / std::sqrt(3000) / target;
-      EXPECT_NEAR(averaging.averaged(), step, 1.5 * left) << target << " " << start;
+      EXPECT_NEAR(averaging.averaged_step(), step, 1.5 * left) << target << " " << start;
     }
 }
 
@@ -31,7 +31,7 @@ TEST(DualAveraging, FirstStepIsThatOfTheArticle) {
   averaging.restart(1, 10);
   averaging.learn(0.25, kInfinity);
   EXPECT_NEAR(averaging.step(), 10 * std::exp(-0.55 / 11 / 0.05), 1e-12);
-  EXPECT_NEAR(averaging.averaged(), averaging.step(), 1e-12);
+  EXPECT_NEAR(averaging.averaged_step(), averaging.step(), 1e-12);
 }
 
 // Every step is accepted: without a limit they would grow for ever.
@@ -42,7 +42,7 @@ TEST(DualAveraging, StaysBelowItsLimit) {
     averaging.learn(1, 1.5);
     EXPECT_LE(averaging.step(), 1.5 * (1 + 1e-15));
   }
-  EXPECT_NEAR(averaging.averaged(), 1.5, 1e-12);
+  EXPECT_NEAR(averaging.averaged_step(), 1.5, 1e-12);
 }
 
 // Energy error c step^2 passes -ln 0.8 = 0.2231 at step sqrt(0.2231 / c).

@@ -15,7 +15,7 @@ TemperedDensity tempered_at(double log_prior, double log_likelihood, double beta
   Densities at;
   at.log_prior = Eigen::VectorXd::Constant(1, log_prior);
   at.log_likelihood = Eigen::VectorXd::Constant(1, log_likelihood);
-  return tempered(at, 0, beta);
+  return tempered_density(at, 0, beta);
 }
 
 TEST(TemperedDensity, WeighsTheLikelihoodAlone) {

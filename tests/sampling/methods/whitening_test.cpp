@@ -22,9 +22,9 @@ const Eigen::Matrix2d kCovariance = (Eigen::Matrix2d() << 4, 2, 2, 5).finished()
 TEST(Whitening, PlacesByItsFactorAndPullsByTheTranspose) {
   const Whitening whitening(Metric::kDense, Eigen::Vector2d(1, -1), kCovariance);
   VectorXd x, slope(2);
-  whitening.place(Eigen::Vector2d(3, -1), x);  // F y = (6, 1)
+  whitening.to_position(Eigen::Vector2d(3, -1), x);  // F y = (6, 1)
   EXPECT_TRUE(matrix_near(x, Eigen::Vector2d(7, 0), 1e-15));
-  EXPECT_TRUE(matrix_near(whitening.whitened(x), Eigen::Vector2d(3, -1), 1e-15));
+  EXPECT_TRUE(matrix_near(whitening.to_whitened(x), Eigen::Vector2d(3, -1), 1e-15));
   whitening.whiten_gradient(Eigen::Vector2d(3, -1), Eigen::Vector2d(3, -1), slope);  // F' g
   EXPECT_TRUE(matrix_near(slope, Eigen::Vector2d(5, -2), 1e-15));
   EXPECT_TRUE(matrix_near(whitening.covariance(), kCovariance, 1e-15));
@@ -33,9 +33,9 @@ TEST(Whitening, PlacesByItsFactorAndPullsByTheTranspose) {
 TEST(Whitening, DiagonalTakesTheDiagonal) {
   const Whitening whitening(Metric::kDiagonal, Eigen::Vector2d(1, 1), kCovariance);
   VectorXd x, slope(2);
-  whitening.place(Eigen::Vector2d(1.5, -0.5), x);
+  whitening.to_position(Eigen::Vector2d(1.5, -0.5), x);
   EXPECT_TRUE(matrix_near(x, Eigen::Vector2d(4, 1 - std::sqrt(5) / 2), 1e-15));
-  EXPECT_TRUE(matrix_near(whitening.whitened(x), Eigen::Vector2d(1.5, -0.5), 1e-15));
+  EXPECT_TRUE(matrix_near(whitening.to_whitened(x), Eigen::Vector2d(1.5, -0.5), 1e-15));
   whitening.whiten_gradient(x, Eigen::Vector2d(3, -1), slope);
   EXPECT_TRUE(matrix_near(slope, Eigen::Vector2d(6, -std::sqrt(5)), 1e-15));
 }
@@ -52,9 +52,9 @@ TEST(Whitening, RefusesWhatIsNoCovariance) {
 
 TEST(Whitening, KeepsItsOwnWhereAnotherIsRefused) {
   Whitening whitening(Metric::kDense, Eigen::Vector2d(0, 0), kCovariance);
-  EXPECT_FALSE(whitening.set(-kCovariance));
-  EXPECT_FALSE(whitening.set(kCovariance * std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_FALSE(whitening.set(Eigen::Vector2d(0, 0), Eigen::Matrix2d::Ones(), {}, false));
+  EXPECT_FALSE(whitening.set_covariance(-kCovariance));
+  EXPECT_FALSE(whitening.set_covariance(kCovariance * std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(whitening.set_map(Eigen::Vector2d(0, 0), Eigen::Matrix2d::Ones(), {}, false));
   EXPECT_TRUE(matrix_near(whitening.covariance(), kCovariance, 1e-15));
 }
 
@@ -70,10 +70,10 @@ const Eigen::Vector4d kY(0.7, -1.2, 0.4, 2.0);
 
 // By hand: z_1 = -1.2 + 0.3 (0.49 - 1); z_2 = 0.4 - 0.2 (-0.51) + 0.5 (-0.84) + 0.1 (0.44).
 TEST(Bend, MovesEachEntryByThoseBeforeIt) {
-  const VectorXd z = bend().bent(kY);
+  const VectorXd z = bend().apply(kY);
   EXPECT_TRUE(
       matrix_near(z, Eigen::Vector4d(0.7, -1.353, 0.126, 2 - 0.357 + 0.336 + 0.264), 1e-15));
-  EXPECT_TRUE(matrix_near(bend().straight(z), kY, 1e-15));
+  EXPECT_TRUE(matrix_near(bend().invert(z), kY, 1e-15));
 }
 
 /// dx/dy by central differences, exact for a quadratic map but for rounding.
@@ -82,8 +82,8 @@ Eigen::MatrixXd jacobian(const Whitening& whitening) {
   const double h = 1e-3;
   for (int k = 0; k < 4; ++k) {
     VectorXd ahead, behind;
-    whitening.place(kY + h * VectorXd::Unit(4, k), ahead);
-    whitening.place(kY - h * VectorXd::Unit(4, k), behind);
+    whitening.to_position(kY + h * VectorXd::Unit(4, k), ahead);
+    whitening.to_position(kY - h * VectorXd::Unit(4, k), behind);
     J.col(k) = (ahead - behind) / (2 * h);
   }
   return J;
@@ -93,7 +93,7 @@ Whitening bent_whitening(bool orbits) {
   Whitening whitening(Metric::kDense, VectorXd::Zero(4));
   Eigen::Matrix4d F;
   F << 2, 0.3, -0.1, 0, 0.2, 1.5, 0, 0.4, 0, -0.6, 0.8, 0.1, 0.5, 0, 0.2, 3;
-  EXPECT_TRUE(whitening.set(Eigen::Vector4d(1, 2, 3, 4), F, bend(), orbits));
+  EXPECT_TRUE(whitening.set_map(Eigen::Vector4d(1, 2, 3, 4), F, bend(), orbits));
   return whitening;
 }
 
@@ -106,8 +106,8 @@ TEST(Whitening, KeepsVolumeHoweverItBends) {
 TEST(Whitening, UndoesItsBend) {
   const Whitening whitening = bent_whitening(false);
   VectorXd x;
-  whitening.place(kY, x);
-  EXPECT_TRUE(matrix_near(whitening.whitened(x), kY, 1e-14));
+  whitening.to_position(kY, x);
+  EXPECT_TRUE(matrix_near(whitening.to_whitened(x), kY, 1e-14));
 }
 
 // The gradient by y is J' g; along orbits without that of a standard normal, -y.
@@ -129,13 +129,13 @@ TEST(Whitening, ComesBackToTheBitFromWhatItSaved) {
   Whitening other(Metric::kDense, VectorXd::Zero(4));
   StateReader reader(saved.bytes());
   other.restore(reader);
-  EXPECT_TRUE(reader.done());
+  EXPECT_TRUE(reader.at_end());
   VectorXd x, same;
-  whitening.place(kY, x);
-  other.place(kY, same);
+  whitening.to_position(kY, x);
+  other.to_position(kY, same);
   EXPECT_EQ(same, x);
-  EXPECT_EQ(other.whitened(x), whitening.whitened(x));
-  EXPECT_TRUE(other.orbits());
+  EXPECT_EQ(other.to_whitened(x), whitening.to_whitened(x));
+  EXPECT_TRUE(other.follows_orbits());
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST_F(DurableFileTest, AppendsAndIsCut) {
   file.append("second");
   EXPECT_EQ(file.size(), 12);
   EXPECT_EQ(file.read(6, 6), "second");
-  file.cut(6);
+  file.truncate(6);
   file.append("third");
   file.sync();
   EXPECT_EQ(AppendFile(path("a")).read(0, 11), "first third");
