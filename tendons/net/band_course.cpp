@@ -32,10 +32,6 @@ Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const Wrapped
 
 }  // namespace
 
-Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state) {
-  return surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
-}
-
 BandCourse band_course(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest,
                        int band) {
   // A straight band.

@@ -20,7 +20,4 @@ struct BandCourse {
 [[nodiscard]] BandCourse band_course(const Net& net, const TreeState<double>& state,
                                      const NetEquilibrium& rest, int band);
 
-/// Frame of a surface now, X_WS.
-[[nodiscard]] Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state);
-
 }  // namespace thenar

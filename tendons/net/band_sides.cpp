@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/units.h"
-#include "tendons/net/band_course.h"
 
 namespace thenar {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/lists.h"
-#include "tendons/net/band_course.h"
 #include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar {

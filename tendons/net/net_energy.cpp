@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "tendons/net/band_course.h"
 
 namespace thenar::internal {
 namespace {

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_follower.h"
 #include "tendons/net/net_pull.h"

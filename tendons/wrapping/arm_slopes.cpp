@@ -94,7 +94,7 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
     do {
       const PathArc& arc = shape.arcs[i];
       const BoneSurface& surface = set.surfaces[arc.surface];
-      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+      const Pose<double> X = surface_pose(surface, state);
       arcs.push_back({&surface, X, arc.arc});
       links.push_back(surface.link);
       ++i;

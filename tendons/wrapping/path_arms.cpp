@@ -152,7 +152,7 @@ void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& 
   const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
                                              pressure(surface, arc.arc, 0, length), 40);
   // The same in the world, on the link that carries the surface.
-  const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+  const Pose<double> X = surface_pose(surface, state);
   const Vector3d f = X.R * w.tail<3>();
   wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
 }

@@ -143,10 +143,7 @@ const std::vector<PathShape>& PathSolver::solve_for_arms(const TreeState<double>
 }
 
 const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state, bool all) {
-  for (std::size_t i = 0; i < X_.size(); ++i) {
-    const BoneSurface& surface = set_->surfaces[i];
-    X_[i] = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
-  }
+  for (std::size_t i = 0; i < X_.size(); ++i) X_[i] = surface_pose(set_->surfaces[i], state);
   for (std::size_t k = 0; k < shapes_.size(); ++k)
     solve_path(k, state, all || carries_[k] || set_->paths[k].carrier >= 0);
   return shapes_;

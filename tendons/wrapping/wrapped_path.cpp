@@ -63,7 +63,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
       // Where the point stands in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
       const Vector3d base_p = moved(state, point.link, point.p);
-      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+      const Pose<double> X = surface_pose(surface, state);
       const Vector3d is = X.inverse() * base_p;
       require(
           !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
