@@ -18,12 +18,12 @@ inline constexpr double kRankTolerance = 1e-12;
 
 /// Singular values and directions of a tip's position Jacobian.
 struct TipManipulability {
-  Eigen::Vector3d speed;       // of the tip along each direction, largest first  [m/rad] (3)
-  Eigen::Matrix3d directions;  // columns, world frame, orthonormal               [1] (3, 3)
-  int rank;                    // directions in which the tip can move at all     [1]
+  Eigen::Vector3d speed;       // of the tip along each direction, largest first [m/rad] (3)
+  Eigen::Matrix3d directions;  // columns, world frame, orthonormal [1] (3, 3)
+  int rank;                    // directions in which the tip can move at all [1]
   double condition;            // largest speed / least; infinite if rank < possible [1]
   int possible = 3;            // directions in which joints can move the tip in any posture: 2 in
-                               // the plane of parallel axes                      [1]
+                               // the plane of parallel axes [1]
 };
 
 /// Mobility of a tip:  J = directions diag(speed) V'.  Speeds below 1e-12 of the largest are zero.

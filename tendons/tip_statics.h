@@ -15,11 +15,11 @@ namespace thenar {
 ///
 /// A published tip-force map f = A t has this form with J' = [1; 0], no W and R' = A.
 struct TipStatics {
-  Eigen::Matrix3Xd J;                // position Jacobian of the tip (3, n)         [m/rad]
-  Eigen::Matrix3Xd W;                // rotation Jacobian of the tip (3, n)         [1]
+  Eigen::Matrix3Xd J;                // position Jacobian of the tip (3, n) [m/rad]
+  Eigen::Matrix3Xd W;                // rotation Jacobian of the tip (3, n) [1]
   Eigen::MatrixXd R;                 // moment arms -d(length)/dq, flexion + (m, n) [m/rad]
   Eigen::VectorXd tau_0;             // passive torque: joint springs, without weights (n) [N m]
-  Eigen::VectorXd max_tension;       // F0 (m); infinite if unknown                 [N]
+  Eigen::VectorXd max_tension;       // F0 (m); infinite if unknown [N]
   std::vector<std::string> muscles;  // names (m)
 };
 
