@@ -21,7 +21,7 @@ struct Coordination {
   Status status;  // read this first. kInfeasible: the force is out of reach; `force` is the
                   // nearest. kStalled without any result: `tension` and `force` are zero
   Eigen::VectorXd
-      tension;  // tensions of minimal effort; if infeasible, some that produce `force` [N] (m)
+      tension;  // minimal-effort tensions; if infeasible, some that give `force` [N] (m)
   Eigen::VectorXd activation;    // tension / F0 [1] (m)
   double effort;                 // sum activation^p [1]
   Eigen::Vector3d force;         // the wanted force, or the nearest within reach [N] (3)
