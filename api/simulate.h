@@ -30,10 +30,10 @@ struct DigitMotionRequest {
                                                // as the subject says
   Eigen::Vector3d gravity{0, 0, 0};            // of free fall, subject's frame [m/s^2] (3)
   double damping = JointResistance().damping;  // of joints whose subject gives none [N m s/rad]
-  double blend = kBlend;    // strain over which bands of a net go from slack to taut [1]
-  double seconds = 1;       // how long [s]
-  double sample = 5e-3;     // between the instants that are kept [s]
-  double tolerance = 1e-6;  // relative error of one step [1]
+  double blend = kBlendStrain;  // strain over which bands of a net go from slack to taut [1]
+  double seconds = 1;           // how long [s]
+  double sample = 5e-3;         // between the instants that are kept [s]
+  double tolerance = 1e-6;      // relative error of one step [1]
 };
 
 /// A digit in motion.

@@ -8,7 +8,7 @@ namespace thenar {
 
 /// Distance beyond rest, in widths of the exponential, from which an end continues as a straight
 /// line, so that nothing overflows [1]. No joint moves as far.
-inline constexpr double kStraightPast = 12;
+inline constexpr double kMaxExponent = 12;
 
 /// Computes the passive moment of a coordinate, positive flexes [N m]:
 ///

@@ -14,7 +14,7 @@ TreeVelocity joint_velocity_tree(const Tree<double>& tree, const TreeState<doubl
     BodyTwist& link = rate.link[i + 1];
     link = parent;
     rate.axis[i] = parent.w.cross(state[i].axis);
-    rate.point[i] = parent.at(state[i].point);
+    rate.point[i] = parent.velocity_at(state[i].point);
     if (tree[i].coordinate != coordinate) continue;
     link.w += tree[i].ratio * state[i].axis;
     link.v -= tree[i].ratio * state[i].axis.cross(state[i].point);

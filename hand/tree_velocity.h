@@ -14,7 +14,9 @@ namespace thenar::internal {
 struct BodyTwist {
   Eigen::Vector3d v{0, 0, 0};  // velocity of its point at the world's origin [m/s] (3)
   Eigen::Vector3d w{0, 0, 0};  // angular velocity [rad/s] (3)
-  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& p) const { return v + w.cross(p); }
+  [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& p) const {
+    return v + w.cross(p);
+  }
 };
 
 /// Velocities of all links, and of the hinges they carry.

@@ -131,7 +131,7 @@ class TendonFollower {
   /// the
   ///              far end of its tendon [m] (muscles)
   /// @throws InputError as DigitTendons::evaluate().
-  virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
+  virtual TendonTorque torque_at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
   /// Returns whether the net snaps between the accepted state and the last one evaluated.
   [[nodiscard]] virtual bool snapped() const = 0;

@@ -38,7 +38,7 @@ class StraightStrands : public StrandPaths {
     return {strand_arms(model_, state, q), "", TendonStatus::kValid};
   }
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state, const VectorXd& q,
-                                              StrandRoom* /*room*/) const override {
+                                              StrandWorkspace* /*workspace*/) const override {
     // Arms, lengths, and second derivatives of every path.
     StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
@@ -106,8 +106,8 @@ class LinearTendons : public DigitTendons {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     TendonTorque pull;
-    Room room{paths_->room(), {}, {}};
-    set_arms(q, room, pull);
+    Workspace workspace{paths_->make_workspace(), {}, {}};
+    set_arms(q, workspace, pull);
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
     return pull;
@@ -118,18 +118,18 @@ class LinearTendons : public DigitTendons {
   }
 
   /// Scratch memory of set_arms(); it does not affect results.
-  struct Room {
-    std::unique_ptr<StrandRoom> paths;
+  struct Workspace {
+    std::unique_ptr<StrandWorkspace> paths;
     TreeState<double> state;
     StrandArms arms;
   };
 
   /// R, warning and status of a torque.
-  void set_arms(const VectorXd& q, Room& room, TendonTorque& pull) const {
+  void set_arms(const VectorXd& q, Workspace& workspace, TendonTorque& pull) const {
     const TendonModel<double>& model = digit_.model;
-    StrandArms& arms = room.arms;
-    pose_tree_over(model.tree, q, room.state);
-    paths_->set_arms(room.state, q, room.paths.get(), arms);
+    StrandArms& arms = workspace.arms;
+    pose_tree_over(model.tree, q, workspace.state);
+    paths_->set_arms(workspace.state, q, workspace.paths.get(), arms);
     for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
       if (model.friction[s] != 0)
         arms.R.row(s) =
@@ -157,19 +157,20 @@ class LinearTendons : public DigitTendons {
   /// Arms posture after posture.
   class Arms final : public ArmSolver {
    public:
-    explicit Arms(const LinearTendons& of) : of_(&of), room_{of.paths_->room(), {}, {}} {}
+    explicit Arms(const LinearTendons& of)
+        : of_(&of), workspace_{of.paths_->make_workspace(), {}, {}} {}
     void solve(const VectorXd& q, TendonTorque& out) override {
       check(of_->digit_, q);
-      of_->set_arms(q, room_, out);
+      of_->set_arms(q, workspace_, out);
     }
     void slopes(const VectorXd& q, ArmSlopes& out) override {
       check(of_->digit_, q);
-      of_->set_slopes(q, room_, out);
+      of_->set_slopes(q, workspace_, out);
     }
 
    private:
     const LinearTendons* of_;
-    Room room_;
+    Workspace workspace_;
   };
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
@@ -191,10 +192,11 @@ class LinearTendons : public DigitTendons {
   }
 
   /// ArmSlopes at a posture.
-  void set_slopes(const VectorXd& q, Room& room, ArmSlopes& out) const {
+  void set_slopes(const VectorXd& q, Workspace& workspace, ArmSlopes& out) const {
     const TendonModel<double>& model = digit_.model;
-    pose_tree_over(model.tree, q, room.state);
-    const StrandDerivatives strands = paths_->derivatives(room.state, q, room.paths.get());
+    pose_tree_over(model.tree, q, workspace.state);
+    const StrandDerivatives strands =
+        paths_->derivatives(workspace.state, q, workspace.paths.get());
     out.exist = strands.exist;
     if (!out.exist) return;
     // Each muscle's strands under its unit tension.

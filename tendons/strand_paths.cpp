@@ -52,18 +52,18 @@ class WrappedStrands : public StrandPaths {
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
                                 const Eigen::VectorXd& q) const override {
     StrandArms arms;
-    set_arms(state, q, room().get(), arms);
+    set_arms(state, q, make_workspace().get(), arms);
     return arms;
   }
 
-  [[nodiscard]] std::unique_ptr<StrandRoom> room() const override {
-    return std::make_unique<StrandRoom>(StrandRoom{PathSolver(set_)});
+  [[nodiscard]] std::unique_ptr<StrandWorkspace> make_workspace() const override {
+    return std::make_unique<StrandWorkspace>(StrandWorkspace{PathSolver(set_)});
   }
 
-  void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/, StrandRoom* room,
-                StrandArms& arms) const override {
+  void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/,
+                StrandWorkspace* workspace, StrandArms& arms) const override {
     // Geodesics at this posture.
-    const std::vector<PathShape>& shapes = room->solver.solve_for_arms(state);
+    const std::vector<PathShape>& shapes = workspace->solver.solve_for_arms(state);
     set_rows(state, shapes, arms.R);
     arms.warning.clear();
     arms.status = TendonStatus::kValid;
@@ -79,9 +79,11 @@ class WrappedStrands : public StrandPaths {
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
                                               const Eigen::VectorXd& q,
-                                              StrandRoom* room) const override {
-    const std::unique_ptr<StrandRoom> own = room == nullptr ? this->room() : nullptr;
-    const std::vector<PathShape>& shapes = (own ? own.get() : room)->solver.solve_for_arms(state);
+                                              StrandWorkspace* workspace) const override {
+    const std::unique_ptr<StrandWorkspace> own =
+        workspace == nullptr ? this->make_workspace() : nullptr;
+    const std::vector<PathShape>& shapes =
+        (own ? own.get() : workspace)->solver.solve_for_arms(state);
     // Second derivatives of all paths.
     std::vector<ArmDerivatives> paths =
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
@@ -203,7 +205,7 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& /*state*/,
                                               const Eigen::VectorXd& q,
-                                              StrandRoom* /*room*/) const override {
+                                              StrandWorkspace* /*workspace*/) const override {
     // Constant arms, then the polynomials with their derivatives.
     StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),

@@ -28,7 +28,7 @@ struct [[nodiscard]] StrandDerivatives {
 };
 
 /// Workspace for arms of wrapped strands; it does not affect results.
-struct StrandRoom {
+struct StrandWorkspace {
   PathSolver solver;
 };
 
@@ -40,10 +40,10 @@ class StrandPaths {
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
   /// Returns a workspace for set_arms(), which these paths must outlive; null where none is needed.
-  [[nodiscard]] virtual std::unique_ptr<StrandRoom> room() const { return nullptr; }
+  [[nodiscard]] virtual std::unique_ptr<StrandWorkspace> make_workspace() const { return nullptr; }
   /// Overwrites `out` with arms(). @param workspace  from make_workspace()
   virtual void set_arms(const TreeState<double>& state, const Eigen::VectorXd& q,
-                        StrandRoom* /*room*/, StrandArms& out) const {
+                        StrandWorkspace* /*workspace*/, StrandArms& out) const {
     out = arms(state, q);
   }
   /// Computes the strand lengths, as in StrandDerivatives (strands) [m].
@@ -53,7 +53,7 @@ class StrandPaths {
   /// @param workspace  from make_workspace(); null: one is made for this call
   [[nodiscard]] virtual StrandDerivatives derivatives(const TreeState<double>& state,
                                                       const Eigen::VectorXd& q,
-                                                      StrandRoom* room) const = 0;
+                                                      StrandWorkspace* workspace) const = 0;
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
                                               const Eigen::VectorXd& q) const {
     return derivatives(state, q, nullptr);

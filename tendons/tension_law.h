@@ -16,7 +16,7 @@ class TensionLaw {
  public:
   virtual ~TensionLaw() = default;
   /// Computes energy, tension and stiffness. @param length  length of the band or tendon [m]
-  [[nodiscard]] virtual BandResponse at(double length) const = 0;
+  [[nodiscard]] virtual BandResponse response_at(double length) const = 0;
 };
 
 }  // namespace thenar

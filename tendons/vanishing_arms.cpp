@@ -33,17 +33,17 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
     const auto& limit = digit.skeleton.limits[j];
     if (!is_flexion_joint(joint) || limit.upper - limit.lower > 2 * kPi - 1e-9) continue;
     // Largest arms over the joint's range.
-    Eigen::VectorXd most = here.col(j);
+    Eigen::VectorXd max_arm = here.col(j);
     for (int k = 0; k < kRangePlaces; ++k) {
       Eigen::VectorXd there = q;
       there[j] = limit.lower + k * (limit.upper - limit.lower) / (kRangePlaces - 1);
-      most = most.cwiseMax(arms_at(there).col(j));
+      max_arm = max_arm.cwiseMax(arms_at(there).col(j));
     }
     // Long flexors whose arm is a small part of that.
-    for (Eigen::Index m = 0; m < most.size(); ++m) {
+    for (Eigen::Index m = 0; m < max_arm.size(); ++m) {
       const std::string& muscle = digit.names.muscles[m];
-      if (is_long_flexor(muscle) && most[m] > kLeastArm && here(m, j) < kArmShare * most[m])
-        found.push_back({muscle, joint, here(m, j), most[m]});
+      if (is_long_flexor(muscle) && max_arm[m] > kLeastArm && here(m, j) < kArmShare * max_arm[m])
+        found.push_back({muscle, joint, here(m, j), max_arm[m]});
     }
   }
   return found;

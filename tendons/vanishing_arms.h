@@ -12,8 +12,8 @@ namespace thenar {
 /// Moment arm of a long flexor that nearly vanishes at a posture.
 struct VanishingArm {
   std::string muscle, joint;
-  double arm;   // moment arm at this posture, flexion positive [m/rad]
-  double most;  // largest arm as this joint alone moves through its range [m/rad]
+  double arm;      // moment arm at this posture, flexion positive [m/rad]
+  double max_arm;  // largest arm as this joint alone moves through its range [m/rad]
 };
 
 /// Returns the arms of long flexors about flexion joints that are below a quarter of the largest

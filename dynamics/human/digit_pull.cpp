@@ -351,7 +351,7 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction&
     out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!muscles_.has_fibre) continue;
     // Fibres by force balance with their tendons.
-    const MuscleState state = now.state.of(m);
+    const MuscleState state = now.state.muscle(m);
     out.z_rate[at.first_z + 2 * count + i] =
         contraction().projected_fibre_rate(m, state) / muscles_.fibre_length[m];
     out.z_decay[at.first_z + 2 * count + i] =
@@ -436,7 +436,7 @@ bool DigitPull::moves(const ElementInput& at) const {
         activation_rate(now.excitation[m], now.state.activation[m], model_->activation);
     const double fibre =
         muscles_.has_fibre
-            ? contraction().projected_fibre_rate(m, now.state.of(m)) / muscles_.fibre_length[m]
+            ? contraction().projected_fibre_rate(m, now.state.muscle(m)) / muscles_.fibre_length[m]
             : 0;
     return excited_.of(m).slope() != 0 || std::abs(rate) > kSettledRate ||
            std::abs(fibre) > kSettledRate;

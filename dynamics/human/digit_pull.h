@@ -27,7 +27,7 @@ struct DigitPullModel {
       contraction;  // of all muscles; what it says of those
                     // with a tension is not used; null: none contracts
   ActivationTimes activation{};
-  double blend = kBlend;               // of a net's bands [1]
+  double blend = kBlendStrain;         // of a net's bands [1]
   double base_tension = kBaseTension;  // added to each muscle of a digit with a net [N]
 };
 

@@ -24,12 +24,12 @@ struct MeasuredThumbInputs {
 
 /// Predictions of the measurements by models, a column a draw.
 struct MeasuredPredictions {
-  Eigen::MatrixXd force;      // of all trials, tip pinned, in the experiment's components [N] (3
-                              // trials, draws)
-  Eigen::MatrixXd clamped;    // the same with the tip clamped [N] (3 trials, draws)
-  Eigen::VectorXd intact;     // pinch with all muscles [N] (draws); NaN: undecided
-  Eigen::MatrixXd loss;       // of pinch, NaN where `intact` is below kNoPinch or a program is
-                              // undecided [1] (blocks, draws)
+  Eigen::MatrixXd force;    // of all trials, tip pinned, in the experiment's components [N] (3
+                            // trials, draws)
+  Eigen::MatrixXd clamped;  // the same with the tip clamped [N] (3 trials, draws)
+  Eigen::VectorXd intact;   // pinch with all muscles [N] (draws); NaN: undecided
+  Eigen::MatrixXd loss;     // of pinch, NaN where `intact` is below kMinPinchForce or a program is
+                            // undecided [1] (blocks, draws)
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 

@@ -54,7 +54,7 @@ ConstraintValue evaluate(const std::vector<ForceConstraint>& limits, const Vecto
 /// The balance alone: E z = e with the bounds of amounts and activations.
 LinearProgram balance_program(const internal::TipBalance& balance, const MatrixXd& loads,
                               ForceDirection aim) {
-  const Index n = loads.rows(), k = loads.cols(), m = balance.most.size();
+  const Index n = loads.rows(), k = loads.cols(), m = balance.upper.size();
   LinearProgram program;
   // Balance in the rows: loads and tensions.
   program.A.resize(n, k + m);
@@ -64,7 +64,7 @@ LinearProgram balance_program(const internal::TipBalance& balance, const MatrixX
   // Amounts along a component may be negative.
   if (aim == ForceDirection::kComponent) program.lower.head(k).setConstant(-kInfinity);
   program.upper = VectorXd::Constant(k + m, kInfinity);
-  program.upper.tail(m) = balance.most;
+  program.upper.tail(m) = balance.upper;
   return program;
 }
 
@@ -105,7 +105,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
                                    ForceDirection aim, const std::vector<ForceConstraint>& limits) {
   const internal::TipBalance balance = internal::tip_balance(statics);
   const Vector3d d = internal::unit_direction(direction);
-  const Index m = balance.most.size();
+  const Index m = balance.upper.size();
 
   // Forces either along d alone, or along the axes in which a straight finger has exact zeros.
   const MatrixXd axes = aim == ForceDirection::kAlong ? MatrixXd(d) : MatrixXd(balance.U);

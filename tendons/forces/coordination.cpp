@@ -28,7 +28,7 @@ struct Task {
 
 /// Bounds and balance of the activations that make the wanted force; maximises nothing.
 LinearProgram activation_program(const Task& task) {
-  const Index m = task.balance.most.size();
+  const Index m = task.balance.upper.size();
   const VectorXd wanted =
       task.balance.row_scale.cwiseProduct(task.statics.J.transpose() * task.wanted);
   LinearProgram program;
@@ -36,7 +36,7 @@ LinearProgram activation_program(const Task& task) {
   program.A = task.balance.tension_part;
   program.row_lower = program.row_upper = task.balance.constant - wanted;
   program.lower = VectorXd::Zero(m);
-  program.upper = task.balance.most;
+  program.upper = task.balance.upper;
   return program;
 }
 
@@ -52,7 +52,7 @@ Coordination report(const Task& task, Status status, const VectorXd& a, const Ve
 
 /// No tensions and no force, because a linear program stopped short of an answer.
 Coordination unsolved(const Task& task, Status status) {
-  return report(task, status, VectorXd::Zero(task.balance.most.size()), Vector3d::Zero(),
+  return report(task, status, VectorXd::Zero(task.balance.upper.size()), Vector3d::Zero(),
                 "a linear program stalled");
 }
 
@@ -93,7 +93,7 @@ NonlinearProgram effort_program(const internal::RelativeInterior& interior, doub
 /// The force in reach that is nearest to the wanted one:  minimise |U phi - wanted|^2.
 Coordination nearest(const Task& task) {
   const internal::TipBalance& balance = task.balance;
-  const Index m = balance.most.size();
+  const Index m = balance.upper.size();
   LinearProgram everything = activation_program(task);
   everything.A.resize(balance.constant.size(), 3 + m);
   everything.A << balance.force_part, balance.tension_part;
@@ -101,7 +101,7 @@ Coordination nearest(const Task& task) {
   everything.lower = VectorXd::Zero(3 + m);
   everything.lower.head<3>().setConstant(-std::numeric_limits<double>::infinity());
   everything.upper = VectorXd::Constant(3 + m, std::numeric_limits<double>::infinity());
-  everything.upper.tail(m) = balance.most;
+  everything.upper.tail(m) = balance.upper;
   const internal::RelativeInterior interior = internal::relative_interior(everything);
   if (interior.status != Status::kSolved)
     return report(task, interior.status, VectorXd::Zero(m), Vector3d::Zero(),

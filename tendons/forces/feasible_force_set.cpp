@@ -48,14 +48,14 @@ struct Point {
 class SupportOracle {
  public:
   explicit SupportOracle(const internal::TipBalance& balance) : r_(balance.rank) {
-    const Index n = balance.constant.size(), m = balance.most.size();
+    const Index n = balance.constant.size(), m = balance.upper.size();
     program_.A.resize(n, r_ + m);
     program_.A << balance.force_part.leftCols(r_), balance.tension_part;
     program_.row_lower = program_.row_upper = balance.constant;
     program_.lower = VectorXd::Zero(r_ + m);
     program_.lower.head(r_).setConstant(-std::numeric_limits<double>::infinity());
     program_.upper = VectorXd::Constant(r_ + m, std::numeric_limits<double>::infinity());
-    program_.upper.tail(m) = balance.most;
+    program_.upper.tail(m) = balance.upper;
     program_.objective = VectorXd::Zero(r_ + m);
   }
 
@@ -279,8 +279,8 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
   // Room for all vertices.
   const auto k = static_cast<Index>(points.size());
   set.vertices.resize(k, 3);
-  set.tension.resize(k, balance.most.size());
-  set.activation.resize(k, balance.most.size());
+  set.tension.resize(k, balance.upper.size());
+  set.activation.resize(k, balance.upper.size());
   // Force, tensions and activations of each vertex.
   for (Index i = 0; i < k; ++i) {
     const Point& point = points[i];

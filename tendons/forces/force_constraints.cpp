@@ -12,21 +12,22 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-ForceConstraint effort_constraint(const VectorXd& max_tension, double p, double most) {
+ForceConstraint effort_constraint(const VectorXd& max_tension, double p, double max_effort) {
   require(max_tension.allFinite() && (max_tension.array() >= 0).all(),
           "effort needs a finite F0 >= 0 for every muscle");
   require(p >= 1 && std::isfinite(p), "the power of an effort must be >= 1, got {}", p);
-  require(most > 0 && std::isfinite(most), "the greatest effort must be positive, got {}", most);
+  require(max_effort > 0 && std::isfinite(max_effort),
+          "the greatest effort must be positive, got {}", max_effort);
   // Muscles without strength do not count.
   const VectorXd weight =
       (max_tension.array() > 0).select(max_tension.array().max(1e-300).inverse(), 0);
-  return [weight, p, most](const Vector3d&, const VectorXd& t) {
+  return [weight, p, max_effort](const Vector3d&, const VectorXd& t) {
     require(t.size() == weight.size(), "max_tension has {} tendons, t has {}", weight.size(),
             t.size());
     // Sum of powers, and its gradient by the tensions.
     const Eigen::ArrayXd a = weight.cwiseProduct(t).array();
     ConstraintValue value{VectorXd(1), Eigen::MatrixX3d::Zero(1, 3), MatrixXd(1, t.size())};
-    value.g(0) = a.abs().pow(p).sum() - most;
+    value.g(0) = a.abs().pow(p).sum() - max_effort;
     value.dg_dt = (p * a.sign() * a.abs().pow(p - 1) * weight.array()).matrix().transpose();
     return value;
   };

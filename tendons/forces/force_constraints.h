@@ -28,7 +28,7 @@ using ForceConstraint =
 /// @throws InputError if an argument is out of range.
 /// Source: [Crowninshield1981] for effort as a sum of powers of muscle stress.
 [[nodiscard]] ForceConstraint effort_constraint(const Eigen::VectorXd& max_tension, double p,
-                                                double most);
+                                                double max_effort);
 
 /// Builds the Coulomb friction constraint of the tip on a surface,  |f_t|^2 - mu^2 f_n^2 <= 0  and
 /// -f_n <= 0, in units of 1 N^2 and 1 N, with f_n = n' f and f_t = f - n f_n. It is smooth also at

@@ -129,7 +129,7 @@ PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses)
   // What each block takes of it.
   for (std::size_t b = 0; b < losses.blocks.size(); ++b) {
     const TipStatics left = blocked(statics, losses, losses.blocks[b], digit.names.muscles);
-    if (!(out.intact >= kNoPinch)) continue;
+    if (!(out.intact >= kMinPinchForce)) continue;
     const double pinch = strength(left, d, losses.tolerance);
     if (std::isnan(pinch))
       ++out.undecided;

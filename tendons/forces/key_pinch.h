@@ -49,13 +49,13 @@ struct PinchLosses {
 struct PinchStrength {
   double intact = 0;     // force with all muscles [N]; NaN: its program is undecided
   Eigen::VectorXd loss;  // 1 - blocked / intact, 0..1, to 1e-9 [1] (blocks); NaN: `intact` is below
-                         // kNoPinch, or a program is undecided
+                         // kMinPinchForce, or a program is undecided
   int undecided =
       0;  // number of programs, intact or blocked, whose force is unbounded or was not found [1]
 };
 
 /// Smallest force of an intact pinch for which losses are computed [N].
-inline constexpr double kNoPinch = 1e-6;
+inline constexpr double kMinPinchForce = 1e-6;
 
 /// Computes the largest component of the pinned tip's force along the pinch, within its cone and
 /// with every joint in balance (max_tip_load()), with all muscles and under every block. It is 0

@@ -39,7 +39,7 @@ struct LoadProblem {
 
 LinearProgram linear_program(const LoadProblem& problem) {
   const Index n = problem.loads.rows(), k = problem.loads.cols();
-  const Index m = problem.balance.most.size(), cuts = static_cast<Index>(problem.cuts.size());
+  const Index m = problem.balance.upper.size(), cuts = static_cast<Index>(problem.cuts.size());
   LinearProgram program;
   program.objective = VectorXd::Unit(k + m, 0);
   program.A = MatrixXd::Zero(n + cuts, k + m);
@@ -57,7 +57,7 @@ LinearProgram linear_program(const LoadProblem& problem) {
   program.lower = VectorXd::Zero(k + m);
   program.lower.segment(1, k - 1).setConstant(-kInfinity);
   program.upper = VectorXd::Constant(k + m, kInfinity);
-  program.upper.tail(m) = problem.balance.most;
+  program.upper.tail(m) = problem.balance.upper;
   return program;
 }
 
@@ -199,15 +199,15 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   MaxTipForce result{status,
                      Vector3d::Zero(),
                      amount_without_answer(status),
-                     VectorXd::Zero(balance.most.size()),
-                     VectorXd::Zero(balance.most.size()),
+                     VectorXd::Zero(balance.upper.size()),
+                     VectorXd::Zero(balance.upper.size()),
                      VectorXd::Zero(statics.J.cols()),
                      {}};
   if (status != Status::kSolved) return result;
   result.force =
       without_bone_force(balance, d, balance.force_unit * (axes * best.x.head(axes.cols())));
   result.component = balance.force_unit * best.x(0);
-  result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
+  result.tension = internal::tension(balance, best.x.tail(balance.upper.size()));
   result.activation = internal::activation(statics, result.tension);
   result.torque_shadow_price =
       balance.force_unit * best.duals.head(statics.J.cols()).cwiseProduct(balance.row_scale);
@@ -241,12 +241,12 @@ MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench) {
 
   const LinearResult best = maximise({balance, load, {}}).best;
   const Status status = best.status;
-  MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
-                      VectorXd::Zero(balance.most.size()), MaxTipForceCheck::kUnknown};
+  MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.upper.size()),
+                      VectorXd::Zero(balance.upper.size()), MaxTipForceCheck::kUnknown};
   if (status != Status::kSolved) return result;
   result.multiple = unit * best.x(0);
   result.gap = unit * best.certificate.gap;
-  result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
+  result.tension = internal::tension(balance, best.x.tail(balance.upper.size()));
   result.activation = internal::activation(statics, result.tension);
   return result;
 }

@@ -65,9 +65,10 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
     const JointStop& stop = stops[k];
     require(stop.coordinate >= 0 && stop.coordinate < n, "a stop of joint {}, there are {}",
             stop.coordinate, n);
-    require(std::abs(stop.most) > 0, "a stop carries some torque, got {} N m", stop.most);
-    statics.R(m + k, stop.coordinate) = std::copysign(kStopArm, stop.most);
-    statics.max_tension[m + k] = std::abs(stop.most) / kStopArm;
+    require(std::abs(stop.max_torque) > 0, "a stop carries some torque, got {} N m",
+            stop.max_torque);
+    statics.R(m + k, stop.coordinate) = std::copysign(kStopArm, stop.max_torque);
+    statics.max_tension[m + k] = std::abs(stop.max_torque) / kStopArm;
   }
 }
 
@@ -75,7 +76,7 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
 VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tension) {
   VectorXd torque(tension.size());
   for (Index k = 0; k < torque.size(); ++k)
-    torque[k] = std::copysign(kStopArm, stops[k].most) * tension[k];
+    torque[k] = std::copysign(kStopArm, stops[k].max_torque) * tension[k];
   return torque;
 }
 

@@ -51,7 +51,7 @@ TipBalance tip_balance(const TipStatics& statics) {
   const auto& F0 = statics.max_tension;
   const auto usable = F0.array().isFinite() && F0.array() > 0;
   balance.unit = usable.select(F0, 1.0);
-  balance.most = usable.select(Eigen::VectorXd::Ones(F0.size()), F0);
+  balance.upper = usable.select(Eigen::VectorXd::Ones(F0.size()), F0);
   balance.tension_part = -statics.R.transpose() * balance.unit.asDiagonal();
   balance.constant = statics.tau_0;
 
@@ -74,7 +74,7 @@ TipBalance tip_balance(const TipStatics& statics) {
 }
 
 Eigen::VectorXd tension(const TipBalance& balance, const Eigen::VectorXd& a) {
-  return balance.unit.cwiseProduct(a.cwiseMax(0).cwiseMin(balance.most));
+  return balance.unit.cwiseProduct(a.cwiseMax(0).cwiseMin(balance.upper));
 }
 
 Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) {

@@ -21,7 +21,7 @@ void require_tension(Eigen::Index tendons, const Eigen::Ref<const Eigen::VectorX
 /// Balance of a pinned tip in scaled, dimensionless torque rows:
 ///
 ///   force_part phi + tension_part a = constant,   f = force_unit U phi,   t_i = unit_i a_i,
-///   0 <= a_i <= most_i
+///   0 <= a_i <= upper_i
 ///
 /// with J = U S V' and singular values below kRankTolerance set to exactly zero, so that forces
 /// carried by the skeleton alone have columns of exact zeros and not of rounding.
@@ -34,7 +34,7 @@ struct TipBalance {
   Eigen::MatrixXd tension_part;  // -R' diag(unit), rows scaled (n, m)
   Eigen::VectorXd constant;      // tau_0, rows scaled (n)
   Eigen::VectorXd unit;          // tension of a = 1: F0, or 1 N if F0 is infinite or 0 (m) [N]
-  Eigen::VectorXd most;          // upper bound of a: 1, infinite, or 0 (m)
+  Eigen::VectorXd upper;         // upper bound of a: 1, infinite, or 0 (m)
 };
 
 /// Builds the scaled balance.

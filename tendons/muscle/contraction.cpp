@@ -17,7 +17,7 @@ class TensionsInTurn : public TensionSolver {
   explicit TensionsInTurn(const Contraction& of) : of_(&of) {}
   void tensions(const MuscleStates& at, MuscleTensions& out) override {
     out.tension.resize(at.length.size());
-    for (int m = 0; m < at.length.size(); ++m) out.tension[m] = of_->tension(m, at.of(m));
+    for (int m = 0; m < at.length.size(); ++m) out.tension[m] = of_->tension(m, at.muscle(m));
   }
   void derivatives(const MuscleStates& at, MuscleTensions& out) override {
     tensions(at, out);
@@ -25,7 +25,7 @@ class TensionsInTurn : public TensionSolver {
          {&out.by_activation, &out.by_length, &out.by_velocity, &out.by_projected_fibre})
       each->resize(at.length.size());
     for (int m = 0; m < at.length.size(); ++m) {
-      const TensionDerivatives by = of_->tension_derivatives(m, at.of(m));
+      const TensionDerivatives by = of_->tension_derivatives(m, at.muscle(m));
       out.by_activation[m] = by.by_activation;
       out.by_length[m] = by.by_length;
       out.by_velocity[m] = by.by_velocity;
@@ -59,7 +59,7 @@ class TendonLaw : public TensionLaw {
  public:
   TendonLaw(const Musculotendon& muscle, double strain, double base)
       : F0_(muscle.F0), slack_(muscle.slack), strain_(strain), base_(base) {}
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const double l = length / slack_;
     return {base_ * length + F0_ * slack_ * tendon_energy(l, strain_),
             base_ + F0_ * tendon_force(l, strain_),

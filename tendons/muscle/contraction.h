@@ -26,7 +26,7 @@ struct MuscleStates {
 
   /// Sets all states to zero.
   void clear(Eigen::Index muscles);
-  [[nodiscard]] MuscleState of(int m) const {
+  [[nodiscard]] MuscleState muscle(int m) const {
     return {activation[m], length[m], velocity[m], projected_fibre[m]};
   }
 };

@@ -22,7 +22,7 @@ void check(const Excitation& excitation) {
 
 }  // namespace
 
-Eigen::VectorXd ExcitationPiece::at(double time) const {
+Eigen::VectorXd ExcitationPiece::value_at(double time) const {
   return first + (last - first) * ((time - begin) / (end - begin));
 }
 
@@ -60,7 +60,7 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
 }
 
 Excitation parse_excitation(const std::string& text, const std::string& path,
-                            const std::vector<std::string>& muscles, double most) {
+                            const std::vector<std::string>& muscles, double max_value) {
   const TimeTable table = parse_time_table(text, path, "muscle", &muscles);
   Excitation result{table.time, Eigen::MatrixXd::Zero(table.time.size(),
                                                       static_cast<Eigen::Index>(muscles.size()))};
@@ -69,10 +69,11 @@ Excitation parse_excitation(const std::string& text, const std::string& path,
     const auto found = std::find(muscles.begin(), muscles.end(), table.columns[i]);
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(i));
     for (Eigen::Index k = 0; k < column.size(); ++k)
-      if (column[k] < 0 || column[k] > most)
+      if (column[k] < 0 || column[k] > max_value)
         throw DataError(path, table.lines[k],
-                        most == 1 ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
-                                  : fmt::format("wanted a tension >= 0, got {}", column[k]));
+                        max_value == 1
+                            ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
+                            : fmt::format("wanted a tension >= 0, got {}", column[k]));
     result.value.col(found - muscles.begin()) = column;
   }
   return result;

@@ -22,7 +22,7 @@ struct ExcitationPiece {
   Eigen::VectorXd first, last;  // values at its ends [1] (muscles)
   bool jumps;                   // true: discontinuous with the piece before
 
-  [[nodiscard]] Eigen::VectorXd at(double time) const;
+  [[nodiscard]] Eigen::VectorXd value_at(double time) const;
 };
 
 /// Builds a constant excitation. @param value  0..1 [1] (muscles)
@@ -39,6 +39,7 @@ struct ExcitationPiece {
 /// @param max_value  largest allowed value: 1, or infinity for a table of tensions [N]
 /// @throws DataError `path:line: what was wanted, what came`.
 [[nodiscard]] Excitation parse_excitation(const std::string& text, const std::string& path,
-                                          const std::vector<std::string>& muscles, double most = 1);
+                                          const std::vector<std::string>& muscles,
+                                          double max_value = 1);
 
 }  // namespace thenar

@@ -127,8 +127,8 @@ VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocit
   });
 }
 
-TendonTorque FingerMotion::pull_at(const VectorXd& q, const VectorXd& t) const {
-  return follower_ ? follower_->at(q, t) : tendons().evaluate(q, t, {});
+TendonTorque FingerMotion::tendon_torque(const VectorXd& q, const VectorXd& t) const {
+  return follower_ ? follower_->torque_at(q, t) : tendons().evaluate(q, t, {});
 }
 
 VectorXd FingerMotion::fibres(const MotionState& state, const VectorXd& excursion) const {
@@ -138,13 +138,13 @@ VectorXd FingerMotion::fibres(const MotionState& state, const VectorXd& excursio
   });
 }
 
-MotionInstant FingerMotion::far_off(MotionInstant now) const {
+MotionInstant FingerMotion::rejected_instant(MotionInstant now) const {
   now.pull.tau = VectorXd::Constant(damping_.size(), HUGE_VAL);
   now.pull.R = Eigen::MatrixXd::Zero(muscles_, damping_.size());
   return now;
 }
 
-MotionInstant FingerMotion::at(const MotionState& state) const {
+MotionInstant FingerMotion::instant_at(const MotionState& state) const {
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
   // Net and tendons in one rest tell lengths and tensions.
@@ -152,8 +152,8 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
     const VectorXd ends = tendon_ends(state.projected_fibre);
     now.excursion = now.tension = VectorXd::Constant(muscles_, HUGE_VAL);
     now.fibre = fibres(state, none);
-    if (!ends.allFinite() || !state.q.allFinite()) return far_off(std::move(now));
-    now.pull = follower_->at(state.q, ends);
+    if (!ends.allFinite() || !state.q.allFinite()) return rejected_instant(std::move(now));
+    now.pull = follower_->torque_at(state.q, ends);
     if (!now.pull.tau.allFinite()) return now;
     now.tension = now.pull.tension;
     now.excursion = now.pull.length - slack_length_;
@@ -163,10 +163,11 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   now.fibre = fibres(state, now.excursion);
   // On rigid tendons velocity comes first, from arms without tension.
   const bool feels = contraction().depends_on_velocity();
-  now.tension = tension(state, feels ? VectorXd(-pull_at(state.q, none).R * state.q_dot) : none);
-  if (!now.tension.allFinite()) return far_off(std::move(now));
+  now.tension =
+      tension(state, feels ? VectorXd(-tendon_torque(state.q, none).R * state.q_dot) : none);
+  if (!now.tension.allFinite()) return rejected_instant(std::move(now));
   // Torque and arms at these tensions.
-  now.pull = pull_at(state.q, now.tension);
+  now.pull = tendon_torque(state.q, now.tension);
   return now;
 }
 
@@ -316,8 +317,8 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
 
 /// Slopes of fibres and excursions, into their rows of J, and of the torque of tendons by all
 /// states (coordinates, states). Tensions follow from states.
-MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionInstant& now,
-                                        MatrixXd& J) const {
+MatrixXd FingerMotion::state_jacobian(const MotionState& state, const MotionInstant& now,
+                                      MatrixXd& J) const {
   const Index n = state.q.size(), m = muscles_, size = J.rows();
   const Index a = 2 * n, e = a + m, r = e + m;
   const MatrixXd& R = now.pull.R;
@@ -392,7 +393,7 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   for (Index i = 0; i < m; ++i)
     J(a + i, a + i) =
         activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
-  MatrixXd tau_y = on_tendons_ ? slopes_on_tendons(state, now, J) : slopes_of_states(state, now, J);
+  MatrixXd tau_y = on_tendons_ ? slopes_on_tendons(state, now, J) : state_jacobian(state, now, J);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();

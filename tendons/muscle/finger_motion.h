@@ -38,7 +38,7 @@ struct MotionModel {
   JointResistance resistance{};
   ActivationTimes activation{};
   Eigen::Vector3d gravity{0, 0, 0};    // acceleration of free fall, base frame [m/s^2] (3)
-  double blend = kBlend;               // smoothing strain of a net's bands [1]
+  double blend = kBlendStrain;         // smoothing strain of a net's bands [1]
   double base_tension = kBaseTension;  // tension added to each muscle of a digit with a net [N]
 };
 
@@ -109,7 +109,7 @@ class FingerMotion {
                                          const Eigen::VectorXd& excitation);
 
   /// Computes the quantities derived from a state.
-  [[nodiscard]] MotionInstant at(const MotionState& state) const;
+  [[nodiscard]] MotionInstant instant_at(const MotionState& state) const;
 
   /// Tendons in an accepted state.
   struct Accepted {
@@ -147,7 +147,8 @@ class FingerMotion {
 
  private:
   /// Computes the tendon torque, from the follower if there is a net.
-  [[nodiscard]] TendonTorque pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
+  [[nodiscard]] TendonTorque tendon_torque(const Eigen::VectorXd& q,
+                                           const Eigen::VectorXd& t) const;
   /// Gathers the state of muscle m. @param excursion  lengthening since the reference posture [m]
   /// (muscles)
   [[nodiscard]] MuscleState muscle_state(const MotionState& state, const Eigen::VectorXd& excursion,
@@ -180,10 +181,10 @@ class FingerMotion {
 
   /// Returns quantities for a trial state far from any solution: their torques make the integrator
   /// shorten its step.
-  [[nodiscard]] MotionInstant far_off(MotionInstant now) const;
+  [[nodiscard]] MotionInstant rejected_instant(MotionInstant now) const;
 
-  [[nodiscard]] Eigen::MatrixXd slopes_of_states(const MotionState& state, const MotionInstant& now,
-                                                 Eigen::MatrixXd& J) const;
+  [[nodiscard]] Eigen::MatrixXd state_jacobian(const MotionState& state, const MotionInstant& now,
+                                               Eigen::MatrixXd& J) const;
   [[nodiscard]] Eigen::MatrixXd slopes_on_tendons(const MotionState& state,
                                                   const MotionInstant& now,
                                                   Eigen::MatrixXd& J) const;

@@ -100,8 +100,8 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
   for (Eigen::VectorXd* each : {&out.active, &out.active_slope, &out.passive, &out.passive_slope})
     each->resize(n);
   // Exponents of the three bells and of the passive force, and slopes of the bells' exponents.
-  out.room.resize(7 * n);
-  double* const e1 = out.room.data();
+  out.workspace.resize(7 * n);
+  double* const e1 = out.workspace.data();
   double *const e2 = e1 + n, *const e3 = e2 + n, *const e4 = e3 + n;
   double *const g1 = e4 + n, *const g2 = g1 + n, *const g3 = g2 + n;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -111,7 +111,7 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
     set_exponent(l, kBell3, e3[i], g3[i]);
     e4[i] = kPassiveSteepness * (l - 1);
   }
-  exponentials(out.room.head(4 * n));
+  exponentials(out.workspace.head(4 * n));
   // The curves, as above.
   for (Eigen::Index i = 0; i < n; ++i) {
     const double l = length[i];

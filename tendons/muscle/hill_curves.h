@@ -62,7 +62,7 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 struct LengthForces {
   Eigen::VectorXd active, active_slope;    // active_force() and its derivative [1] (fibres)
   Eigen::VectorXd passive, passive_slope;  // passive_force() and its derivative [1] (fibres)
-  Eigen::VectorXd room;                    // workspace of set_length_forces()
+  Eigen::VectorXd workspace;               // workspace of set_length_forces()
 };
 
 /// Computes all force-length factors. @param length  as in active_force() (fibres)

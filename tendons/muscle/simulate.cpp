@@ -79,7 +79,7 @@ class Recorder {
   }
 
   void keep(const MotionState& state, const VectorXd& excitation) {
-    const MotionInstant now = motion_.at(state);
+    const MotionInstant now = motion_.instant_at(state);
     const Index i = next_;
     // States and tensions.
     kept_.time[i] = next();
@@ -315,7 +315,7 @@ class Integration {
 
   VectorXd slope(double time, const VectorXd& y) {
     look();
-    const VectorXd rates = motion_.pack(motion_.slope(motion_.unpack(y), piece_->at(time)));
+    const VectorXd rates = motion_.pack(motion_.slope(motion_.unpack(y), piece_->value_at(time)));
     if (!motion_.obstacle().empty()) count_obstacle();
     return rates;
   }
@@ -333,7 +333,7 @@ class Integration {
 
   Eigen::MatrixXd jacobian(double time, const VectorXd& y) {
     look();
-    return motion_.jacobian(motion_.unpack(y), piece_->at(time));
+    return motion_.jacobian(motion_.unpack(y), piece_->value_at(time));
   }
 
   void step() {
@@ -346,7 +346,8 @@ class Integration {
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
     // Instants to keep lie within the last step.
     for (; recorder_.next() <= ode_.time();)
-      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())), piece_->at(recorder_.next()));
+      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())),
+                     piece_->value_at(recorder_.next()));
     // A net that snaps is followed through the step in pieces, which tell when.
     const MotionState now = motion_.unpack(ode_.state());
     if (motion_.snaps_before(now))
@@ -456,7 +457,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 
 long allowed_effort(const SimulateOptions& options) {
   if (options.max_effort > 0) return options.max_effort;
-  return kLeastEffort + std::lround(kEffortPerSecond * options.seconds);
+  return kMinEffort + std::lround(kEffortPerSecond * options.seconds);
 }
 
 }  // namespace thenar

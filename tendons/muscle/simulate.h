@@ -36,7 +36,7 @@ inline constexpr double kStallTime = 2e-5;
 
 /// Evaluations of a net's energy that any motion may take [1], and further ones per second of
 /// motion [1/s]: together 10 s of processor time for half a second of motion.
-inline constexpr long kLeastEffort = 400'000;
+inline constexpr long kMinEffort = 400'000;
 inline constexpr double kEffortPerSecond = 800'000;
 
 /// Integrates a motion to the tolerance. If energy then does not balance, or excursions have

@@ -15,11 +15,11 @@ namespace thenar {
 
 /// Strain over which the bands of a net change from slack to taut in motion [1]. Our choice: see
 /// docs/theory/muscles.md for its effect.
-inline constexpr double kBlend = 1e-3;
+inline constexpr double kBlendStrain = 1e-3;
 
 /// Accepted numerical energy drift: a share of the energy turned over [1], plus an absolute floor
 /// [J].
-inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
+inline constexpr double kEnergyDriftRatio = 1e-4, kEnergyFloor = 1e-9;
 
 /// Outcome of a simulated motion.
 enum class MotionStatus {
@@ -37,7 +37,9 @@ struct EnergyBalance {
                      // of NetStep::unexplained| of a net [J]
   double turned_over =
       0;  // largest kinetic energy plus losses plus the sum of |work| over all steps [J]
-  [[nodiscard]] bool holds() const { return error <= kEnergyShare * turned_over + kNoEnergy; }
+  [[nodiscard]] bool holds() const {
+    return error <= kEnergyDriftRatio * turned_over + kEnergyFloor;
+  }
 };
 
 /// Snap: a jump of a net to another equilibrium.

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-inline constexpr double kTaut = 1e-6;  // Bands with less tension are called slack [N]
+inline constexpr double kTautTension = 1e-6;  // Bands with less tension are called slack [N]
 
 /// Course of a band in equilibrium.
 struct BandCourse {

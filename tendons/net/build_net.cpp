@@ -34,7 +34,7 @@ BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
     surface.X.R << bone.dorsal, -bone.along, flexion;
   else
     surface.X.R << bone.dorsal, flexion, bone.along;
-  surface.X.p = point_of(frame, plan.center);
+  surface.X.p = place_position(frame, plan.center);
   return surface;
 }
 
@@ -84,7 +84,7 @@ class NetBuilder {
     // At a point of a strand if the subject has it, otherwise at its place on the bone.
     const CarriedPoint at = strand_point(plan.strand)
                                 .value_or(CarriedPoint{built_.frame.bone(plan.place.bone).link,
-                                                       point_of(built_.frame, plan.place)});
+                                                       place_position(built_.frame, plan.place)});
     NetNode node{plan.name, plan.floating, at.link, at.p, {}};
     for (const std::string& surface : plan.surfaces)
       node.surfaces.push_back(place_named(built_.net.surfaces, surface));
@@ -96,7 +96,7 @@ class NetBuilder {
     if (surface < 0) return Vector3d::UnitX();
     const NetSurface& plan = plan_.surfaces[surface];
     return built_.net.surfaces[surface].X.R.transpose() *
-           around(built_.frame.bone(plan.center.bone), angle);
+           direction_around(built_.frame.bone(plan.center.bone), angle);
   }
 
   void add_band(const NetBandPlan& plan) {
@@ -108,7 +108,7 @@ class NetBuilder {
     band.side = side_on(band.over, plan.side);
     band.EA = plan.EA;
     band.toe = plan.toe;
-    band.most_strain = plan.most_strain;
+    band.max_strain = plan.most_strain;
     built_.net.bands.push_back(band);
   }
 
@@ -132,7 +132,7 @@ class NetBuilder {
   [[nodiscard]] TendonPath<double> own_path(const NetMusclePlan& role,
                                             const std::string& muscle) const {
     // Where the muscle leaves the net.
-    const Strand& strand = strand_of(subject_, muscle);
+    const Strand& strand = pulled_strand(subject_, muscle);
     const FingerBone& bone = built_.frame.bone(role.exit);
     TendonPath<double> path;
     const NetPullPlan& first = role.pulls.front();
@@ -184,8 +184,8 @@ class NetBuilder {
   [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
-              point_of(built_.frame, *plan.exit_place)};
-    const PathNode<double>& end = built_.muscles.back().own.front();
+              place_position(built_.frame, *plan.exit_place)};
+    const PathNode<double>& end = built_.muscles.back().own_path.front();
     return {end.link, end.p};
   }
 
@@ -221,7 +221,7 @@ std::vector<double> reference_lengths(const NetDescription& plan) {
   for (const NetSurface& surface : plan.surfaces)
     net.surfaces.push_back(surface_on(frame, surface));
   for (const NetNodePlan& node : plan.nodes)
-    net.nodes.push_back({node.name, false, -1, point_of(frame, node.place), {}});
+    net.nodes.push_back({node.name, false, -1, place_position(frame, node.place), {}});
   for (const NetBandPlan& band : plan.bands) {
     const int over = band.over.empty() ? -1 : place_named(net.surfaces, band.over);
     net.bands.push_back({band.name, place_named(net.nodes, band.from),
@@ -240,7 +240,7 @@ NetDescription straightened(NetDescription plan) {
 
 // Largest tension of a band over the sum of pulls, our choice; beyond it the band's strain holds a
 // load that no muscle pulls [1]
-constexpr double kMostLoad = 3;
+constexpr double kMaxLoadRatio = 3;
 // Largest error of strain of fitted bands: 0.1 um for a band of 10 mm [1]
 constexpr double kSlackLeft = 1e-5;
 
@@ -296,13 +296,13 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
           "slack lengths of net '{}' could not be fitted to the finger of '{}': strains differ "
           "by {:.2g} in the straight finger",
           description.name, subject.name, off);
-  built.net.most_load = kMostLoad;
-  return carried(std::move(built), whole, digit);
+  built.net.max_load = kMaxLoadRatio;
+  return transferred(std::move(built), whole, digit);
 }
 
 BuiltNet cut(const BuiltNet& built, const std::string& band) {
   // Only passive bands can be cut.
-  const int gone = band_named(built.net, band);
+  const int gone = band_index(built.net, band);
   require(built.net.bands[gone].muscle < 0, "band '{}' is a muscle's: give it no tension instead",
           band);
   // Indices of the slips move up.
@@ -315,11 +315,11 @@ BuiltNet cut(const BuiltNet& built, const std::string& band) {
   return left;
 }
 
-int band_named(const Net& net, const std::string& name) {
+int band_index(const Net& net, const std::string& name) {
   return needed(net.bands, name, "band", net.name);
 }
 
-int node_named(const Net& net, const std::string& name) {
+int node_index(const Net& net, const std::string& name) {
   return needed(net.nodes, name, "node", net.name);
 }
 

@@ -41,9 +41,9 @@ struct MuscleAttachment {
 
 /// Muscle of the digit that pulls the net, with the path of its tendon outside the net.
 struct NetMuscle {
-  int muscle;              // index of the muscle in the digit
-  double to_net;           // share of its tension that enters the net [1]
-  TendonPath<double> own;  // path from its exit, where it leaves the net, to its origin
+  int muscle;                   // index of the muscle in the digit
+  double to_net;                // share of its tension that enters the net [1]
+  TendonPath<double> own_path;  // path from its exit, where it leaves the net, to its origin
 };
 
 /// Net with its relation to the digit.
@@ -70,9 +70,9 @@ struct BuiltNet {
 [[nodiscard]] BuiltNet cut(const BuiltNet& built, const std::string& band);
 
 /// Returns the index of a band. @throws InputError listing the bands of the net.
-[[nodiscard]] int band_named(const Net& net, const std::string& name);
+[[nodiscard]] int band_index(const Net& net, const std::string& name);
 
 /// Returns the index of a node. @throws InputError listing the nodes of the net.
-[[nodiscard]] int node_named(const Net& net, const std::string& name);
+[[nodiscard]] int node_index(const Net& net, const std::string& name);
 
 }  // namespace thenar

@@ -20,7 +20,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
       NetContinuation walk = follow_from_straight(*net, point.q, t);
       point.snapped = !walk.snaps.empty();
       point.rest = std::move(walk.rest);
-      point.pull = net->torque_at_rest(point.q, t, point.rest);
+      point.pull = net->torque_at_equilibrium(point.q, t, point.rest);
     } else {
       point.pull = tendons.evaluate(point.q, t);
     }

@@ -90,7 +90,7 @@ class FrameBuilder {
     require(!names.empty(), "net '{}' needs muscle '{}' ({}), and none crosses the {} of '{}'",
             net_.name, net_.muscles.front().role, fmt::join(net_.muscles.front().names, ", "),
             tip_digit_->name, subject_.name);
-    extensor_ = &strand_of(subject_, names.front());
+    extensor_ = &pulled_strand(subject_, names.front());
   }
 
   [[nodiscard]] int depth(const std::string& segment) const {
@@ -282,14 +282,14 @@ double height_ratio(const FingerBone& bone, double along) {
   return bone.ratio[0] + s * (bone.ratio[1] - bone.ratio[0]);
 }
 
-Vector3d around(const FingerBone& bone, double angle) {
+Vector3d direction_around(const FingerBone& bone, double angle) {
   return std::cos(angle) * bone.dorsal + std::sin(angle) * bone.radial;
 }
 
-Vector3d point_of(const FingerFrame& frame, const NetPlace& place) {
+Vector3d place_position(const FingerFrame& frame, const NetPlace& place) {
   const FingerBone& bone = frame.bone(place.bone);
   return bone.proximal + place.along * (bone.distal - bone.proximal) +
-         height_ratio(bone, place.along) * place.height * around(bone, place.angle);
+         height_ratio(bone, place.along) * place.height * direction_around(bone, place.angle);
 }
 
 std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand& strand) {
@@ -302,7 +302,7 @@ std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand&
   return points;
 }
 
-const Strand& strand_of(const Subject& subject, const std::string& muscle) {
+const Strand& pulled_strand(const Subject& subject, const std::string& muscle) {
   for (const MuscleUnit& unit : subject.muscles)
     if (unit.name == muscle)
       for (const Strand& strand : subject.strands)

@@ -59,10 +59,10 @@ struct FingerFrame {
 [[nodiscard]] double height_ratio(const FingerBone& bone, double along);
 
 /// Computes the position of a place of the description in the reference posture [m] (3).
-[[nodiscard]] Eigen::Vector3d point_of(const FingerFrame& frame, const NetPlace& place);
+[[nodiscard]] Eigen::Vector3d place_position(const FingerFrame& frame, const NetPlace& place);
 
 /// Computes the unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).
-[[nodiscard]] Eigen::Vector3d around(const FingerBone& bone, double angle);
+[[nodiscard]] Eigen::Vector3d direction_around(const FingerBone& bone, double angle);
 
 /// Path point of the subject, as the skeleton carries it at the reference posture.
 struct CarriedPoint {
@@ -75,7 +75,7 @@ struct CarriedPoint {
                                                        const Strand& strand);
 
 /// Returns the strand that a muscle of the subject pulls. @throws InputError if there is none.
-[[nodiscard]] const Strand& strand_of(const Subject& subject, const std::string& muscle);
+[[nodiscard]] const Strand& pulled_strand(const Subject& subject, const std::string& muscle);
 
 /// Returns the first of the named strands that crosses a joint of the digit, or null.
 [[nodiscard]] const Strand* find_strand(const Subject& subject, const TendonDigit& digit,

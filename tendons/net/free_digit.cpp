@@ -74,7 +74,7 @@ class NetCarrier {
     std::vector<NetMuscle> muscles;
     for (NetMuscle& muscle : built.muscles) {
       muscle.muscle = number(muscle.muscle);
-      for (PathNode<double>& point : muscle.own) carry(point.link, point.p);
+      for (PathNode<double>& point : muscle.own_path) carry(point.link, point.p);
       if (muscle.muscle >= 0) muscles.push_back(std::move(muscle));
     }
     built.muscles = std::move(muscles);
@@ -117,7 +117,7 @@ TendonDigit free_digit(const Subject& subject, const TendonDigit& digit) {
   return with_muscles(std::move(whole), own.names.muscles);
 }
 
-BuiltNet carried(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit) {
+BuiltNet transferred(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit) {
   return NetCarrier(whole, digit).carry(std::move(built));
 }
 

@@ -15,6 +15,7 @@ namespace thenar {
 /// Transfers a net from a digit with all joints free to the same digit with frozen joints, where
 /// bones are displaced. Muscles that the digit lacks have no pull.
 /// @param whole  free_digit(), on which the net was built
-[[nodiscard]] BuiltNet carried(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit);
+[[nodiscard]] BuiltNet transferred(BuiltNet built, const TendonDigit& whole,
+                                   const TendonDigit& digit);
 
 }  // namespace thenar

@@ -39,7 +39,7 @@ struct NetBand {
   double EA = 0;            // axial stiffness, modulus times area: tension per strain [N]
   double toe = 0;           // strain up to which fibres are recruited [1]
   int muscle = -1;          // muscle that pulls it; -1: a passive band
-  double most_strain =
+  double max_strain =
       std::numeric_limits<double>::infinity();  // largest strain that its tissue tolerates [1]
 };
 
@@ -53,7 +53,7 @@ struct Net {
   double friction = 0;  // Coulomb friction of nodes on bone; not 0: see net_friction.h [1]
   double blend = 0;     // strain over which passive bands change from slack to taut (band_law.h),
                         // which keeps some tension at any length; 0: a sharp change [1]
-  double most_load =
+  double max_load =
       std::numeric_limits<double>::infinity();  // largest tension of a passive band over the sum of
                                                 // the muscles' pulls [1]
 };

@@ -23,7 +23,7 @@ Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const P
   // The perturbation is the sum of all joint velocities ...
   const TreeState<double> state = pose_tree(tree, at.q);
   const internal::TangentNet tangent(net, state, pull.drive(at), rest);
-  internal::NetPerturbation input = internal::still(net, tree.size());
+  internal::NetPerturbation input = internal::zero_perturbation(net, tree.size());
   for (Eigen::Index j = 0; j < rate.q.size(); ++j) {
     if (rate.q[j] == 0) continue;
     const internal::NetPerturbation turn =
@@ -39,7 +39,7 @@ Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const P
   }
   // ... and of the rates of the pulls.
   const PullRates by = pull.rates(at, rest);
-  internal::tighten(net, by.by_posture * rate.q + by.by_load * rate.load, input);
+  internal::add_pull_rates(net, by.by_posture * rate.q + by.by_load * rate.load, input);
   return internal::node_rates(tangent, input);
 }
 
@@ -85,7 +85,7 @@ class NetWalk {
     // The least part of the way that counts as a step.
     const double turned = largest(way_.q.cwiseAbs()) / options.min_turn;
     const double loaded =
-        largest(way_.load.cwiseAbs()) / pull.least_change(from.load, to.load, options.min_load);
+        largest(way_.load.cwiseAbs()) / pull.min_change(from.load, to.load, options.min_load);
     least_ = 1 / std::max({turned, loaded, 1.0});
   }
 

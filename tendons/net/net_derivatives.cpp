@@ -92,7 +92,7 @@ std::vector<NetPerturbation> tightening(const TangentNet& tangent, std::size_t l
                                         const MatrixXd& D) {
   std::vector<NetPerturbation> inputs;
   for (Index i = 0; i < D.cols(); ++i) {
-    inputs.push_back(internal::still(tangent.net, links));
+    inputs.push_back(internal::zero_perturbation(tangent.net, links));
     inputs.back().tension = D.col(i);
   }
   return inputs;
@@ -103,7 +103,7 @@ std::vector<NetPerturbation> displacing(const Net& net, std::size_t links) {
   std::vector<NetPerturbation> inputs;
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
     for (Index c = 0; c < 3; ++c) {
-      inputs.push_back(internal::still(net, links));
+      inputs.push_back(internal::zero_perturbation(net, links));
       if (!net.nodes[i].free) inputs.back().node(c, static_cast<Index>(i)) = 1;
     }
   return inputs;
@@ -113,7 +113,7 @@ std::vector<NetPerturbation> displacing(const Net& net, std::size_t links) {
 std::vector<NetPerturbation> thickening(const Net& net, std::size_t links) {
   std::vector<NetPerturbation> inputs;
   for (std::size_t s = 0; s < net.surfaces.size(); ++s) {
-    inputs.push_back(internal::still(net, links));
+    inputs.push_back(internal::zero_perturbation(net, links));
     if (internal::has_radius(net.surfaces[s])) inputs.back().radius[s] = 1;
   }
   return inputs;

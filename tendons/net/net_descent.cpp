@@ -69,7 +69,7 @@ void NetDescent::measure(Place& at) {
 
 NetStatus NetDescent::descend(int patience) {
   definite_ = false;
-  radius_ = kLongest;
+  radius_ = kMaxStep;
   for (iterations_ = 0;; ++iterations_) {
     // Forces left out of balance, and collapsed nodes that their pull no longer holds.
     balance();
@@ -101,7 +101,7 @@ NetStatus NetDescent::descend(int patience) {
 NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& drive,
                              const Eigen::Matrix3Xd* start, int patience) {
   scene_ = pose_scene(plan_.net, state, drive);
-  draws_.assign(plan_.bands.size(), 0);
+  collapse_counts_.assign(plan_.bands.size(), 0);
   place(state, start);
   measure(here_);
   return descend(patience);
@@ -212,7 +212,7 @@ void NetDescent::balance() {
       for (int i = 0; i < touching; ++i) slop[i] += wrap_slop(k, c.surface[i]);
       balance_node(plan_.net, scene_, x, here_.E.g[k], slop, c);
     }
-    residual_ = std::max(residual_, c.left.norm());
+    residual_ = std::max(residual_, c.residual.norm());
   }
 }
 
@@ -226,7 +226,7 @@ void NetDescent::reduce() {
     const NodeContact& c = here_.contact[k];
     Matrix3d& D = reduced_.diagonal[k];
     // Turned Hessian of the Lagrangian.
-    D = c.Q * (here_.E.H.diagonal[k] - c.bend) * c.Q.transpose();
+    D = c.Q * (here_.E.H.diagonal[k] - c.curvature) * c.Q.transpose();
     double scale = here_.E.H.diagonal[k].trace();
     if (scale <= 0) scale = 1, D.setIdentity();  // nothing holds it: it stays
     // Pinned directions keep a unit row of the same size.
@@ -269,13 +269,13 @@ bool NetDescent::direction() {
   // Factor; semidefinite to rounding is good enough.
   reduce();
   definite_ = factor_.factorise(reduced_, 0);
-  longest_ = std::numeric_limits<double>::infinity();
-  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9))
-    longest_ = solve_step();
+  largest_move_ = std::numeric_limits<double>::infinity();
+  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kStiffnessDistance, 1e-9))
+    largest_move_ = solve_step();
   // Shift the stiffness until the step stays within the radius.
-  for (double shift = 0.1 * residual_ / radius_; longest_ > radius_; shift *= 4) {
+  for (double shift = 0.1 * residual_ / radius_; largest_move_ > radius_; shift *= 4) {
     if (!(shift < 1e30)) return false;
-    if (factor_.factorise(reduced_, shift)) longest_ = solve_step();
+    if (factor_.factorise(reduced_, shift)) largest_move_ = solve_step();
   }
   return true;
 }
@@ -415,14 +415,16 @@ bool NetDescent::line_search() {
       // Radius for the next step.
       accept();
       if (part < 0.3)
-        radius_ = std::max({2 * part * longest_, 0.1 * std::min(longest_, radius_), 1e-7});
+        radius_ =
+            std::max({2 * part * largest_move_, 0.1 * std::min(largest_move_, radius_), 1e-7});
       else
-        radius_ = std::min(std::max(radius_, 4 * longest_), kLongest);
-      longest_ *= part;
+        radius_ = std::min(std::max(radius_, 4 * largest_move_), kMaxStep);
+      largest_move_ *= part;
       return true;
     }
     // A long first step: bands that it makes taut get their secant stiffness.
-    if (part == 1 && possible && longest_ < kKinkStep && looks-- > 0 && add_secant_stiffness()) {
+    if (part == 1 && possible && largest_move_ < kKinkStep && looks-- > 0 &&
+        add_secant_stiffness()) {
       if (!direction()) return false;
       definite_ = false;  // of what it was made to be
       continue;

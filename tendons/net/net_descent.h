@@ -26,9 +26,9 @@ class NetDescent {
                                    const Eigen::Matrix3Xd* start);
 
  private:
-  static constexpr double kLongest = 0.02;  // Longest move of a node in one step [m]
+  static constexpr double kMaxStep = 0.02;  // Longest move of a node in one step [m]
   // A push that exceeds the tolerance only within this is due to stiffness [m]
-  static constexpr double kSoft = 1e-4;
+  static constexpr double kStiffnessDistance = 1e-4;
 
   /// Node positions with energy and contacts there.
   struct Place {
@@ -93,10 +93,10 @@ class NetDescent {
   BlockFactor factor_;
   std::vector<Eigen::Vector3d> step_;  // Newton step (rows) [m]
   std::vector<int> pushed_out_;        // nodes that started inside a bone
-  std::vector<int> draws_;             // number of times that each band collapsed its node
+  std::vector<int> collapse_counts_;   // number of times that each band collapsed its node
   double residual_ = 0;                // largest out-of-balance force [N]
   double radius_ = 0;                  // trust radius of the step [m]
-  double longest_ = 0;                 // largest move of a node in the last step [m]
+  double largest_move_ = 0;            // largest move of a node in the last step [m]
   bool definite_ = false;              // true: the stiffness was positive definite at the last step
   int iterations_ = 0;
   int evaluations_ = 0;  // evaluations of the energy, in all descents of a run

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-
 namespace thenar::internal {
 namespace {
 
@@ -49,7 +48,7 @@ WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier
 
 BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
   if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
-  if (scene.law[i]) return scene.law[i]->at(L);
+  if (scene.law[i]) return scene.law[i]->response_at(L);
   return elastic_response(net, net.bands[i], scene.slack[i], L);
 }
 

@@ -78,7 +78,7 @@ NetContinuation NetFollower::way_to(const PostureAndLoad& to) const {
   return way;
 }
 
-TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {
+TendonTorque NetFollower::torque_at(const VectorXd& q, const VectorXd& load) {
   reach({q, load});
   TendonTorque pull;
   const Net& net = tendons_.net().net;
@@ -87,8 +87,9 @@ TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {
   } else {
     const TreeState<double> state = pose_tree(tendons_.digit().model.tree, q);
     const std::string why = net_warning(net, state, reached_.rest);
-    pull = no_torque(q.size(), load.size(),
-                     why.empty() ? fmt::format("net '{}' moves too far in a step", net.name) : why);
+    pull = infinite_torque(
+        q.size(), load.size(),
+        why.empty() ? fmt::format("net '{}' moves too far in a step", net.name) : why);
   }
   pull.effort = reached_.effort;
   return pull;
@@ -154,15 +155,15 @@ void NetFollower::find_slopes() {
   for (Index j = 0; j < here_.q.size(); ++j) {
     internal::NetPerturbation input =
         internal::joint_perturbation(net, tree, state, static_cast<int>(j));
-    internal::tighten(net, by.by_posture.col(j), input);
+    internal::add_pull_rates(net, by.by_posture.col(j), input);
     const Matrix3Xd v = internal::node_rates(tangent, input);
     by_posture_.col(j) = Map<const VectorXd>(v.data(), v.size());
   }
   // One column a pull, then what loads do to these.
   Eigen::MatrixXd by_pull(rest_.x.size(), static_cast<Index>(net.muscles.size()));
   for (Index m = 0; m < by_pull.cols(); ++m) {
-    internal::NetPerturbation input = internal::still(net, tree.size());
-    internal::tighten(net, VectorXd::Unit(by_pull.cols(), m), input);
+    internal::NetPerturbation input = internal::zero_perturbation(net, tree.size());
+    internal::add_pull_rates(net, VectorXd::Unit(by_pull.cols(), m), input);
     const Matrix3Xd v = internal::node_rates(tangent, input);
     by_pull.col(m) = Map<const VectorXd>(v.data(), v.size());
   }

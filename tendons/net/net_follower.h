@@ -24,7 +24,7 @@ class NetFollower : public TendonFollower {
   /// Follows from an equilibrium under muscles on elastic tendons, whose far ends are the loads.
   NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here, const NetEquilibrium& rest);
 
-  TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
+  TendonTorque torque_at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
   [[nodiscard]] bool snapped() const override { return known_ && !reached_.snaps.empty(); }
   NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
   [[nodiscard]] EndSlopes slopes(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;

@@ -27,9 +27,9 @@ class ShareOfTendon : public TensionLaw {
   /// @param beyond  length of the tendon less the band's share of it [m]
   ShareOfTendon(std::shared_ptr<const TensionLaw> tendon, double share, double beyond)
       : tendon_(std::move(tendon)), share_(share), beyond_(beyond) {}
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const OverExit over(length);
-    const BandResponse whole = tendon_->at(share_ * over.length + beyond_);
+    const BandResponse whole = tendon_->response_at(share_ * over.length + beyond_);
     const double slope = share_ * over.slope, turn = 1 - over.slope * over.slope;
     return {whole.energy, slope * whole.tension,
             slope * slope * whole.stiffness + share_ * whole.tension * turn / over.length};
@@ -49,7 +49,7 @@ VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) 
 
 }  // namespace
 
-TendonTorque no_torque(Index joints, Index muscles, std::string why) {
+TendonTorque infinite_torque(Index joints, Index muscles, std::string why) {
   TendonTorque pull;
   pull.tau = VectorXd::Constant(joints, HUGE_VAL);
   pull.R = MatrixXd::Zero(muscles, joints);
@@ -77,7 +77,7 @@ NetPotential PullByTension::potential(const PostureAndLoad& at, const NetEquilib
 }
 
 TendonTorque PullByTension::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
-  return tendons().torque_at_rest(at.q, at.load, std::move(rest));
+  return tendons().torque_at_equilibrium(at.q, at.load, std::move(rest));
 }
 
 bool PullByTension::pulls(const VectorXd& load) const {
@@ -86,7 +86,7 @@ bool PullByTension::pulls(const VectorXd& load) const {
   return drive.size() > 0 && drive.maxCoeff() > kSlackTension;
 }
 
-double PullByTension::least_change(const VectorXd& from, const VectorXd& to, double share) const {
+double PullByTension::min_change(const VectorXd& from, const VectorXd& to, double share) const {
   constexpr double kLittleTension = 1e-3;  // Least tension of which a change counts as a share [N]
   double most = kLittleTension;
   if (from.size() > 0) most = std::max({most, from.maxCoeff(), to.maxCoeff()});
@@ -154,7 +154,7 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
   now.tension.resize(now.length.size());
   now.stiffness.resize(now.length.size());
   for (Index m = 0; m < now.length.size(); ++m) {
-    const BandResponse tendon = laws_[m]->at(now.length[m] - at.load[m]);
+    const BandResponse tendon = laws_[m]->response_at(now.length[m] - at.load[m]);
     now.energy += tendon.energy;
     now.tension[m] = tendon.tension;
     now.stiffness[m] = tendon.stiffness;
@@ -200,10 +200,11 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
   Stretched now = stretched(at, rest);
   if (!now.finite())
-    return no_torque(at.q.size(), at.load.size(), "a tendon is stretched beyond all bounds");
-  TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
+    return infinite_torque(at.q.size(), at.load.size(), "a tendon is stretched beyond all bounds");
+  TendonTorque pull = tendons().torque_without_net_arms(at.q, now.tension, std::move(rest));
   // Knots that the net does not hold.
-  if (const std::string drawn = drawn_in(tendons().net().net, drawn_bands(now)); !drawn.empty()) {
+  if (const std::string drawn = drawn_band_names(tendons().net().net, drawn_bands(now));
+      !drawn.empty()) {
     pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);
     add_warning(drawn, pull);
   }
@@ -220,8 +221,8 @@ NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibr
           tendons().torque(at.q, now.tension, rest), -now.tension};
 }
 
-double PullByTendon::least_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
-                                  double /*share*/) const {
+double PullByTendon::min_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
+                                double /*share*/) const {
   return 1e-7;  // 0.02 N of a tendon of 2e5 N/m [m]
 }
 
@@ -255,15 +256,15 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
     for (Index j = 0; j < joints; ++j) {
       internal::NetPerturbation input =
           internal::joint_perturbation(net, model.tree, state, static_cast<int>(j));
-      internal::tighten(net, rate.by_posture.col(j), input);
+      internal::add_pull_rates(net, rate.by_posture.col(j), input);
       const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
       out.torque_by_posture.col(j) +=
           internal::torque_rate(tangent, model.tree, state, input, v, model.coordinates);
       out.length_by_posture.col(j) += length_rates(input, v);
     }
     for (Index m = 0; m < muscles; ++m) {
-      internal::NetPerturbation input = internal::still(net, model.tree.size());
-      internal::tighten(net, rate.by_load.col(m), input);
+      internal::NetPerturbation input = internal::zero_perturbation(net, model.tree.size());
+      internal::add_pull_rates(net, rate.by_load.col(m), input);
       out.length_by_end.col(m) = length_rates(input, internal::node_rates(tangent, input));
     }
   }

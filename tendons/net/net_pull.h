@@ -36,7 +36,8 @@ struct NetPotential {
 };
 
 /// Returns an infinite torque, which no integrator accepts, with a warning.
-[[nodiscard]] TendonTorque no_torque(Eigen::Index joints, Eigen::Index muscles, std::string why);
+[[nodiscard]] TendonTorque infinite_torque(Eigen::Index joints, Eigen::Index muscles,
+                                           std::string why);
 
 /// Load model: how muscles pull a net.
 class NetPull {
@@ -76,8 +77,8 @@ class NetPull {
 
   /// Returns the smallest change of loads that counts as a step.
   /// @param share  fraction of the largest tension, where loads are tensions [1]
-  [[nodiscard]] virtual double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                            double share) const = 0;
+  [[nodiscard]] virtual double min_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                          double share) const = 0;
 
   /// Solves for the equilibrium of the net from the initial nodes `start` (3, nodes); empty: where
   /// links carry them.
@@ -102,8 +103,8 @@ class PullByTension : public NetPull {
                                        const NetEquilibrium& rest) const override;
   [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
   [[nodiscard]] bool pulls(const Eigen::VectorXd& load) const override;
-  [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                    double share) const override;
+  [[nodiscard]] double min_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                  double share) const override;
 };
 
 /// Load model whose loads are far ends p of elastic tendons [m]: each tendon has the tension of its
@@ -133,8 +134,8 @@ class PullByTendon : public NetPull {
   /// where a law is.
   [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
   [[nodiscard]] bool pulls(const Eigen::VectorXd& /*load*/) const override { return true; }
-  [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                    double share) const override;
+  [[nodiscard]] double min_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                  double share) const override;
 
   [[nodiscard]] EndSlopes slopes(const PostureAndLoad& at,
                                  const NetEquilibrium& rest) const override;

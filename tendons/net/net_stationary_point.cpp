@@ -15,7 +15,7 @@ bool NetDescent::collapse_to_exit(int b) {
   const BandPlan& at = plan_.bands[b];
   const NetBand& band = plan_.net.bands[b];
   // One fixed end, and not too often.
-  if ((at.ka >= 0) == (at.kb >= 0) || draws_[b] > 2) return false;
+  if ((at.ka >= 0) == (at.kb >= 0) || collapse_counts_[b] > 2) return false;
   const int k = std::max(at.ka, at.kb), i = plan_.node[k];
   // The exit must be outside of the node's bones.
   const Vector3d exit = here_.x[at.ka >= 0 ? band.b : band.a];
@@ -26,7 +26,7 @@ bool NetDescent::collapse_to_exit(int b) {
   here_.contact[k].collapsed += scene_.pull[b];
   here_.contact[k].touching = here_.contact[k].pressed = 0;
   scene_.collapsed[b] = true;
-  ++draws_[b];
+  ++collapse_counts_[b];
   return true;
 }
 
@@ -37,7 +37,7 @@ bool NetDescent::release_from_exit() {
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
     if (!scene_.collapsed[b]) continue;
     NodeContact& c = here_.contact[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
-    if (c.left.norm() <= options_.tolerance) continue;
+    if (c.residual.norm() <= options_.tolerance) continue;
     scene_.collapsed[b] = false;
     any = true;
   }
@@ -46,7 +46,7 @@ bool NetDescent::release_from_exit() {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     if (k < 0) continue;  // between two bones
     NodeContact& c = here_.contact[k];
-    if (c.collapsed > 0 && !scene_.collapsed[b] && c.left.norm() > options_.tolerance)
+    if (c.collapsed > 0 && !scene_.collapsed[b] && c.residual.norm() > options_.tolerance)
       c.collapsed = 0;
   }
   return any;
@@ -84,9 +84,9 @@ bool NetDescent::update_multipliers() {
 /// Returns whether no small move lowers E: positive curvature, but for rounding, in all free
 /// directions.
 bool NetDescent::is_minimum() {
-  if (definite_ && longest_ < 1e-6) return true;
+  if (definite_ && largest_move_ < 1e-6) return true;
   reduce();
-  return factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9);
+  return factor_.factorise(reduced_, options_.tolerance / kStiffnessDistance, 1e-9);
 }
 
 /// Leaves a saddle along a direction of negative curvature.
@@ -112,10 +112,10 @@ bool NetDescent::leave_saddle() {
 
 /// Steps on a ridge shrink as they near a saddle: leaves it before. @return whether it did
 bool NetDescent::leave_saddle_early() {
-  if (definite_ || iterations_ == 0 || longest_ > 1e-6 || residual_ <= options_.tolerance)
+  if (definite_ || iterations_ == 0 || largest_move_ > 1e-6 || residual_ <= options_.tolerance)
     return false;
   reduce();
-  if (factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9) || !leave_saddle())
+  if (factor_.factorise(reduced_, options_.tolerance / kStiffnessDistance, 1e-9) || !leave_saddle())
     return false;
   definite_ = true;
   return true;

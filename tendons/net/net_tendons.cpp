@@ -73,7 +73,7 @@ void add_warning(const std::string& more, TendonTorque& pull) {
   pull.warning += more;
 }
 
-std::string drawn_in(const Net& net, const std::vector<int>& bands) {
+std::string drawn_band_names(const Net& net, const std::vector<int>& bands) {
   if (bands.empty()) return "";
   std::vector<std::string> which;
   for (const int b : bands) {
@@ -147,7 +147,7 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
     case NetStatus::kOverstrained:
       return overstrained(net, rest);
     case NetStatus::kNodeCollapsed:
-      return drawn_in(net, collapsed_bands(rest));
+      return drawn_band_names(net, collapsed_bands(rest));
     case NetStatus::kBalanced:
       break;
   }
@@ -238,7 +238,7 @@ TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const Vecto
   slopes.by_posture += own_path_slopes(state, t);
   slopes.length = whole.cwiseProduct(slopes.length);
   for (const NetMuscle& m : net_.muscles)
-    slopes.length[m.muscle] += m.to_net * path_length(state, m.own);
+    slopes.length[m.muscle] += m.to_net * path_length(state, m.own_path);
   return slopes;
 }
 
@@ -257,7 +257,8 @@ MatrixXd NetTendons::own_path_slopes(const TreeState<double>& state, const Vecto
   const TendonModel<double>& model = digit_.model;
   MatrixXd slopes = MatrixXd::Zero(model.coordinates, model.coordinates);
   for (const NetMuscle& m : net_.muscles)
-    slopes += m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own, model.coordinates);
+    slopes +=
+        m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own_path, model.coordinates);
   return slopes;
 }
 
@@ -268,7 +269,7 @@ TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t,
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
     pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
-                           m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
+                           m.to_net * moment_arms(model.tree, state, m.own_path, model.coordinates);
   pull.tau = pull.R.transpose() * t;
   return pull;
 }
@@ -283,7 +284,7 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
 
 TendonTorque NetTendons::evaluate(const VectorXd& q, const VectorXd& t,
                                   const Eigen::Matrix3Xd& start) const {
-  return torque_at_rest(q, t, rest(q, t, start));
+  return torque_at_equilibrium(q, t, rest(q, t, start));
 }
 
 std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at, const VectorXd& q,
@@ -317,7 +318,8 @@ VectorXd NetTendons::lengths_outside(const VectorXd& q) const {
   // Whole tendons and own paths in their shares.
   VectorXd length = linear_->lengths(q, VectorXd::Zero(shares_.cols()), {});
   for (const NetMuscle& m : net_.muscles)
-    length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
+    length[m.muscle] =
+        (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own_path);
   return length;
 }
 
@@ -326,8 +328,8 @@ VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonT
          shares_.transpose() * muscle_band_length(net_.net, *rest_of(at, q, t));
 }
 
-TendonTorque NetTendons::torque_of_rest(const VectorXd& q, const VectorXd& t,
-                                        NetEquilibrium rest) const {
+TendonTorque NetTendons::torque_without_net_arms(const VectorXd& q, const VectorXd& t,
+                                                 NetEquilibrium rest) const {
   // Tendons outside of the net, then the net.
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
@@ -343,9 +345,9 @@ TendonTorque NetTendons::torque_of_rest(const VectorXd& q, const VectorXd& t,
   return pull;
 }
 
-TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
-                                        NetEquilibrium rest) const {
-  TendonTorque pull = torque_of_rest(q, t, std::move(rest));
+TendonTorque NetTendons::torque_at_equilibrium(const VectorXd& q, const VectorXd& t,
+                                               NetEquilibrium rest) const {
+  TendonTorque pull = torque_without_net_arms(q, t, std::move(rest));
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   // Arms of the net where it is differentiable.

@@ -92,12 +92,14 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] std::unique_ptr<DigitTendons> smoothed(double strain) const override;
 
   /// Computes the torque at a known equilibrium of the net.
-  [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                            NetEquilibrium rest) const;
+  [[nodiscard]] TendonTorque torque_at_equilibrium(const Eigen::VectorXd& q,
+                                                   const Eigen::VectorXd& t,
+                                                   NetEquilibrium rest) const;
 
   /// Computes the torque at a known equilibrium, without the net's share of moment arms.
-  [[nodiscard]] TendonTorque torque_of_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                            NetEquilibrium rest) const;
+  [[nodiscard]] TendonTorque torque_without_net_arms(const Eigen::VectorXd& q,
+                                                     const Eigen::VectorXd& t,
+                                                     NetEquilibrium rest) const;
 
   /// Solves for the equilibrium of the net. Arguments as in evaluate().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
@@ -166,7 +168,7 @@ class NetTendons : public DigitTendons {
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
 /// Names the bands that have drawn their nodes into their exits; empty: none.
-[[nodiscard]] std::string drawn_in(const Net& net, const std::vector<int>& bands);
+[[nodiscard]] std::string drawn_band_names(const Net& net, const std::vector<int>& bands);
 
 /// Appends text to the warning of a torque; empty text has no effect.
 void add_warning(const std::string& more, TendonTorque& pull);

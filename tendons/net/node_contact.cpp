@@ -84,8 +84,8 @@ void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, Node
   contact.pressed = contact.pinned = force >= -slop ? 1 : 0;
   if (contact.pressed == 0) return;
   contact.force[0] = force;
-  contact.left -= force * contact.normal[0];
-  contact.bend = force * curvature;
+  contact.residual -= force * contact.normal[0];
+  contact.curvature = force * curvature;
   turn_to(contact.normal[0], contact.Q);
 }
 
@@ -94,14 +94,14 @@ void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, Node
 void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
                   const std::array<double, 3>& slop, NodeContact& contact) {
   // Start: all touching surfaces press.
-  contact.left = g;
+  contact.residual = g;
   contact.Q.setIdentity();
-  contact.bend.setZero();
+  contact.curvature.setZero();
   contact.pressed = contact.touching;
   contact.pinned = 0;
   // A collapsed node: its pull holds up to its size.
   if (contact.collapsed > 0) {
-    contact.left *= std::max(1 - contact.collapsed / std::max(g.norm(), 1e-300), 0.0);
+    contact.residual *= std::max(1 - contact.collapsed / std::max(g.norm(), 1e-300), 0.0);
     contact.pinned = 3;
     contact.pressed = 0;
     return;
@@ -138,8 +138,8 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
   if (contact.pressed == 0) return;
   for (int i = 0; i < contact.pressed; ++i) {
     contact.force[i] = force(i);
-    contact.left -= force(i) * contact.normal[i];
-    contact.bend += force(i) * curvature[i];
+    contact.residual -= force(i) * contact.normal[i];
+    contact.curvature += force(i) * curvature[i];
   }
   // Basis of normals and tangents.
   if (contact.pressed == 1) {

@@ -34,10 +34,10 @@ struct NodeContact {
   std::array<int, 3> surface;  // indices in Net::surfaces
   std::array<Eigen::Vector3d, 3> normal;
   std::array<double, 3>
-      force;             // forces of the pressed surfaces; < 0 where bands clasp the node [N]
-  Eigen::Matrix3d Q;     // rows: a basis of the pressed normals, then of the tangents
-  Eigen::Matrix3d bend;  // sum of force * curvature [N/m]
-  Eigen::Vector3d left;  // residual: gradient of E that no contact balances [N]
+      force;                  // forces of the pressed surfaces; < 0 where bands clasp the node [N]
+  Eigen::Matrix3d Q;          // rows: a basis of the pressed normals, then of the tangents
+  Eigen::Matrix3d curvature;  // sum of force * curvature [N/m]
+  Eigen::Vector3d residual;   // residual: gradient of E that no contact balances [N]
 };
 
 /// Computes the contact forces that balance a node whose energy has gradient g, and the residual:

@@ -56,12 +56,13 @@ std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
   points.reserve(postures.size());
   for (const Eigen::VectorXd& q : postures)
     points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
-                                    : sweep_on(tendons, &points.back(), q, t, options));
+                                    : next_sweep_point(tendons, &points.back(), q, t, options));
   return points;
 }
 
-SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
-                    const Eigen::VectorXd& t, const NetContinuationOptions& options) {
+SweepPoint next_sweep_point(const NetTendons& tendons, const SweepPoint* before,
+                            const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                            const NetContinuationOptions& options) {
   if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
   // From the point before, along the net's course.
   NetContinuation walk = follow_net(tendons, before->rest, {before->q, t}, {q, t}, options);

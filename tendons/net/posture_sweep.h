@@ -38,9 +38,9 @@ struct SweepPoint {
 
 /// Computes the next point of a sweep.
 /// @param before  previous point; null: the net starts where its links carry it
-[[nodiscard]] SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before,
-                                  const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                  const NetContinuationOptions& options = {});
+[[nodiscard]] SweepPoint next_sweep_point(const NetTendons& tendons, const SweepPoint* before,
+                                          const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                          const NetContinuationOptions& options = {});
 
 /// Computes initial nodes at q by follow_from_straight(); empty for tendons without a net (3,
 /// nodes).

@@ -20,8 +20,8 @@ void find_overstrained(const Net& net, NetEquilibrium& rest) {
     const NetBand& band = net.bands[b];
     const auto i = static_cast<Eigen::Index>(b);
     if (band.muscle >= 0 || rest.tension[i] <= 0) continue;
-    const bool loaded = rest.tension[i] > std::max(net.most_load * pull, kNoLoad);
-    if (loaded || rest.length[i] > (1 + band.most_strain) * band.slack)
+    const bool loaded = rest.tension[i] > std::max(net.max_load * pull, kNoLoad);
+    if (loaded || rest.length[i] > (1 + band.max_strain) * band.slack)
       rest.overstrained.push_back(static_cast<int>(b));
   }
   if (!rest.overstrained.empty()) rest.status = NetStatus::kOverstrained;

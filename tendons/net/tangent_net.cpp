@@ -89,7 +89,7 @@ void TangentNet::free_directions() {
       const Eigen::CompleteOrthogonalDecomposition<Columns3> split(N);
       const Matrix3d Q = split.householderQ() * Matrix3d::Identity();
       node.free = Q.rightCols(3 - split.rank());
-      node.bear = split.pseudoInverse();
+      node.to_contact = split.pseudoInverse();
     }
     // Collapsed and undetermined nodes do not move.
     if (node.exit >= 0 || !held[node.node]) node.free.resize(3, 0);
@@ -143,12 +143,12 @@ bool has_radius(const BoneSurface& surface) {
          surface.shape == SurfaceShape::kCapsule;
 }
 
-NetPerturbation still(const Net& net, std::size_t links) {
+NetPerturbation zero_perturbation(const Net& net, std::size_t links) {
   const std::vector<Eigen::Vector3d> none(links, Eigen::Vector3d::Zero());
   return with_bones(net, {std::vector<BodyTwist>(links + 1), none, none});
 }
 
-void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
+void add_pull_rates(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0) input.tension[b] += pull[net.bands[b].muscle];
 }
@@ -170,7 +170,7 @@ Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
   for (std::size_t i = 0; i < tangent.row.size(); ++i)
     if (tangent.row[i] < 0)
       v.col(static_cast<Index>(i)) =
-          input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i))) +
+          input.body(tangent.net.nodes[i].link).velocity_at(tangent.x(static_cast<int>(i))) +
           input.node.col(static_cast<Index>(i));
   // Collapsed nodes move with their exit.
   for (const TangentNode& node : tangent.nodes) {
@@ -180,12 +180,12 @@ Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
     Vector3d along(0, 0, 0);
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
-      along[i] =
-          tangent.probe[node.contact[i]].normal.dot(
-              input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node))) +
-          input.radius[contact.surface];
+      along[i] = tangent.probe[node.contact[i]].normal.dot(
+                     input.body(tangent.net.surfaces[contact.surface].link)
+                         .velocity_at(tangent.x(node.node))) +
+                 input.radius[contact.surface];
     }
-    v.col(node.node) = node.bear.transpose() * along.head(node.bear.rows());
+    v.col(node.node) = node.to_contact.transpose() * along.head(node.to_contact.rows());
   }
   return v;
 }
@@ -245,7 +245,8 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
   BodyTwist bone;
   if (now.chord.bent) bone = input.body(tangent.net.surfaces[band.over].link);
   Eigen::Matrix<double, 6, 1> move;
-  move << v.col(band.a) - bone.at(tangent.x(band.a)), v.col(band.b) - bone.at(tangent.x(band.b));
+  move << v.col(band.a) - bone.velocity_at(tangent.x(band.a)),
+      v.col(band.b) - bone.velocity_at(tangent.x(band.b));
   // Rates of length, tension and direction.
   Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move;
   const Eigen::Matrix<double, 6, 1>& u = now.chord.slope;
@@ -276,7 +277,7 @@ Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, co
   for (std::size_t c = 0; c < tangent.probe.size(); ++c) {
     const NetContact& contact = tangent.rest.contacts[c];
     const BodyTwist& bone = input.body(tangent.net.surfaces[contact.surface].link);
-    const Vector3d move = v.col(contact.node) - bone.at(tangent.x(contact.node));
+    const Vector3d move = v.col(contact.node) - bone.velocity_at(tangent.x(contact.node));
     f.col(tangent.row[contact.node]) +=
         contact.force * (bone.w.cross(tangent.probe[c].normal) + tangent.probe[c].curvature * move);
   }
@@ -349,7 +350,7 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
     const TangentNode& node = tangent.nodes[k];
     if (node.contact.empty()) continue;
     // Change of the contact forces balances what is left.
-    VectorXd force = -node.bear * left.col(static_cast<Index>(k));
+    VectorXd force = -node.to_contact * left.col(static_cast<Index>(k));
     if (node.exit >= 0) force.setZero();  // the band that drew it makes up for all
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
@@ -358,7 +359,8 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
       // Force on the bone at a point that moves, along a normal that turns.
       const Vector3d p = tangent.x(node.node), dp = v.col(node.node);
       const BodyTwist& bone = input.body(link);
-      const Vector3d turn = bone.w.cross(probe.normal) + probe.curvature * (dp - bone.at(p));
+      const Vector3d turn =
+          bone.w.cross(probe.normal) + probe.curvature * (dp - bone.velocity_at(p));
       all.push_back({link, p, dp, -contact.force * probe.normal,
                      -force[i] * probe.normal - contact.force * turn});
     }

@@ -26,9 +26,9 @@ struct TangentNode {
   std::vector<int> contact;  // contacts in the equilibrium, at most three
   int exit = -1;             // node into which it is collapsed; -1: none
   int collapsed = 0;         // number of bands that collapsed it
-  Columns3 free;  // orthonormal directions in which it may move; none where it is collapsed or
-                  // undetermined
-  Rows3 bear;     // map from a force on the node to contact forces: inverse of the normals
+  Columns3 free;     // orthonormal directions in which it may move; none where it is collapsed or
+                     // undetermined
+  Rows3 to_contact;  // map from a force on the node to contact forces: inverse of the normals
   Eigen::Index column = 0;  // column of its first free direction in `stiffness`
 };
 
@@ -78,10 +78,10 @@ struct NetPerturbation : TreeVelocity {
 [[nodiscard]] bool has_radius(const BoneSurface& surface);
 
 /// Returns the zero perturbation.
-[[nodiscard]] NetPerturbation still(const Net& net, std::size_t links);
+[[nodiscard]] NetPerturbation zero_perturbation(const Net& net, std::size_t links);
 
 /// Adds rates of the pulls at fixed lengths of their bands [N] (muscles of the net).
-void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input);
+void add_pull_rates(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input);
 
 /// Builds the perturbation by one joint coordinate that turns by 1 rad.
 [[nodiscard]] NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,

@@ -127,12 +127,12 @@ void state_stiffness(FittedNets& tried, InferredNet& out) {
   // Stiffness in the best net, its deviation, and whether the data say more than the bounds.
   for (std::size_t c = 0; c < out.verdicts.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
-    out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
+    out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical_EA()(i);
     const double sd = out.inflation * std::sqrt(variance(i));
     out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
     const CandidateBand& bounds = tried.fitter().candidate().candidates[c];
     out.verdicts[c].EA_told =
-        out.verdicts[c].EA_sd < std::log(bounds.most / bounds.least) / std::sqrt(12.0);
+        out.verdicts[c].EA_sd < std::log(bounds.max_EA / bounds.min_EA) / std::sqrt(12.0);
   }
 }
 
@@ -143,7 +143,7 @@ bool linked(FittedNets& tried, double limit, int a, int b) {
   for (int way = 0; way < 4; ++way) {
     Topology bands = best.bands;
     bands[a] = (way & 1) != 0, bands[b] = (way & 2) != 0;
-    if (!tried.knows(bands)) continue;
+    if (!tried.contains(bands)) continue;
     const BandFit& fit = tried.fit(bands, best.fit.s);
     if (!fit.holds || fit.misfit > limit) return true;
   }
@@ -221,7 +221,7 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
     out.verdicts.push_back(band);
   }
   // Nets that the data cannot tell from the best one.
-  out.alike = tried.alike(options.doubt / weight);
+  out.alike = tried.nets_within(options.doubt / weight);
   state_stiffness(tried, out);
   out.groups = groups_of(tried, out, best.fit.misfit + options.doubt / weight);
   out.tried = tried.size();

@@ -15,7 +15,7 @@ std::vector<CandidateBand> passive_candidates(const Net& net, double least, doub
   return candidates;
 }
 
-Net net_of(const CandidateNet& candidate, const Eigen::VectorXd& EA) {
+Net net_with_stiffness(const CandidateNet& candidate, const Eigen::VectorXd& EA) {
   Net net = candidate.net;
   std::vector<bool> absent(net.bands.size(), false);
   // Stiffnesses of the candidates.
@@ -49,9 +49,9 @@ void check_candidates(const CandidateNet& candidate) {
     require(band.muscle < 0, "candidate {} is the band of a muscle", band.name);
     require(!seen[c.band], "candidate {} stands twice", band.name);
     seen[c.band] = true;
-    require(c.least > 0 && c.least <= band.EA && band.EA <= c.most && std::isfinite(c.most),
-            "candidate {}: wanted 0 < least <= EA <= most, got {} {} {} N", band.name, c.least,
-            band.EA, c.most);
+    require(c.min_EA > 0 && c.min_EA <= band.EA && band.EA <= c.max_EA && std::isfinite(c.max_EA),
+            "candidate {}: wanted 0 < least <= EA <= most, got {} {} {} N", band.name, c.min_EA,
+            band.EA, c.max_EA);
   }
 }
 

@@ -16,9 +16,9 @@ namespace thenar {
 /// gap between 0 and the lower bound lets data reject a band: one of zero stiffness could never be
 /// rejected.
 struct CandidateBand {
-  int band;      // index of a passive band in the net
-  double least;  // smallest EA that counts as a band, > 0 [N]
-  double most;   // largest plausible EA [N]
+  int band;       // index of a passive band in the net
+  double min_EA;  // smallest EA that counts as a band, > 0 [N]
+  double max_EA;  // largest plausible EA [N]
 };
 
 /// Net of all candidate bands, on the bones that carry them. The net's own EA are typical values.
@@ -53,7 +53,7 @@ struct TendonRecord {
 
 /// Builds the net with these stiffnesses: bands of EA 0 are left out, others keep their order.
 /// @param EA  stiffness of each candidate [N] (candidates)
-[[nodiscard]] Net net_of(const CandidateNet& candidate, const Eigen::VectorXd& EA);
+[[nodiscard]] Net net_with_stiffness(const CandidateNet& candidate, const Eigen::VectorXd& EA);
 
 /// Returns the names of the candidates.
 [[nodiscard]] std::vector<std::string> candidate_names(const CandidateNet& candidate);

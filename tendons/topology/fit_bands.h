@@ -15,17 +15,17 @@ namespace thenar {
 enum class Presence {
   kNo,     // EA = 0
   kYes,    // EA between the bounds of the candidate
-  kEither  // 0 < EA <= upper bound, from kGhost of the typical EA on
+  kEither  // 0 < EA <= upper bound, from kGhostRatio of the typical EA on
 };
 using Presences = std::vector<Presence>;
 
 /// Fraction of the typical EA below which a band's load no longer depends on ratios of stiffness
 /// [1].
-inline constexpr double kSoft = 0.05;
+inline constexpr double kSoftRatio = 0.05;
 
 /// Fraction of the typical EA that a band keeps where it may exist but vanishes, so that the net's
 /// derivative by it stays defined; it then carries this fraction of its share [1].
-inline constexpr double kGhost = 0.01;
+inline constexpr double kGhostRatio = 0.01;
 
 /// Result of a fit: the best stiffnesses under one set of assumptions.
 struct [[nodiscard]] BandFit {
@@ -45,10 +45,10 @@ class BandFitter {
   BandFitter(const CandidateNet& candidate, const std::vector<TendonRecord>& records,
              const BoundedFitOptions& options = {});
 
-  /// Fits the stiffnesses. The unknowns are  x = log(1 + s / kSoft),  since a net depends on ratios
-  /// of stiffness, but zero must be reachable. Their penalty is thus the log-sum penalty that
-  /// re-weighted L1 majorises [Candes2008]. During the fit each net starts near the previous one;
-  /// the returned result is that of predict() without this memory.
+  /// Fits the stiffnesses. The unknowns are  x = log(1 + s / kSoftRatio),  since a net depends on
+  /// ratios of stiffness, but zero must be reachable. Their penalty is thus the log-sum penalty
+  /// that re-weighted L1 majorises [Candes2008]. During the fit each net starts near the previous
+  /// one; the returned result is that of predict() without this memory.
   /// @param presence  assumption about each candidate (candidates)
   /// @param start     initial s, clamped to the bounds [1] (candidates)
   /// @param price     penalty on the unknowns, or empty [1] (candidates)
@@ -56,15 +56,15 @@ class BandFitter {
               const Eigen::VectorXd& price = {});
 
   /// Initial stiffnesses: all bands at the s of their smallest or largest EA (candidates).
-  [[nodiscard]] Eigen::VectorXd least() const;
-  [[nodiscard]] Eigen::VectorXd most() const;
+  [[nodiscard]] Eigen::VectorXd min_stiffness() const;
+  [[nodiscard]] Eigen::VectorXd max_stiffness() const;
 
   /// Adds a record.
   void add(const TendonRecord& record);
 
   [[nodiscard]] const CandidateNet& candidate() const { return forward_.candidate(); }
   /// Returns the typical EA [N] (candidates).
-  [[nodiscard]] const Eigen::VectorXd& typical() const { return typical_; }
+  [[nodiscard]] const Eigen::VectorXd& typical_EA() const { return typical_EA_; }
   /// Returns the number of measured values.
   [[nodiscard]] Eigen::Index rows() const { return measured_.size(); }
   /// Returns the number of equilibria solved so far.
@@ -80,11 +80,11 @@ class BandFitter {
   [[nodiscard]] FitResiduals residuals(const NetPrediction& forecast) const;
   NetForwardModel forward_;
   BoundedFitOptions options_;
-  Eigen::VectorXd typical_;        // typical EA [N] (candidates)
+  Eigen::VectorXd typical_EA_;     // typical EA [N] (candidates)
   Eigen::VectorXd measured_, sd_;  // measured values and their noise, stacked (rows)
 };
 
 /// Returns the presences of a topology: kYes for its bands, kNo for others.
-[[nodiscard]] Presences presences_of(const std::vector<bool>& bands);
+[[nodiscard]] Presences topology_presences(const std::vector<bool>& bands);
 
 }  // namespace thenar

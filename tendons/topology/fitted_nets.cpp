@@ -41,8 +41,8 @@ void change_in_pairs(FittedNets& tried, const FittedNet& here, const std::vector
 }  // namespace
 
 std::vector<Eigen::VectorXd> FittedNets::usual_starts() const {
-  const Eigen::Index n = fitter_->typical().size();
-  return {Eigen::VectorXd::Ones(n), fitter_->least(), fitter_->most()};
+  const Eigen::Index n = fitter_->typical_EA().size();
+  return {Eigen::VectorXd::Ones(n), fitter_->min_stiffness(), fitter_->max_stiffness()};
 }
 
 const BandFit& FittedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
@@ -50,9 +50,9 @@ const BandFit& FittedNets::fit(const Topology& bands, const Eigen::VectorXd& sta
   const auto found = tried_.find(bands);
   if (found != tried_.end()) return found->second.fit;
   // From the given start, then from the usual ones until it carries the loads.
-  FittedNet net{bands, fitter_->fit(presences_of(bands), start)};
+  FittedNet net{bands, fitter_->fit(topology_presences(bands), start)};
   for (const Eigen::VectorXd& usual : usual_starts())
-    if (!net.fit.holds) net.fit = fitter_->fit(presences_of(bands), usual);
+    if (!net.fit.holds) net.fit = fitter_->fit(topology_presences(bands), usual);
   return tried_.emplace(bands, std::move(net)).first->second.fit;
 }
 
@@ -65,7 +65,7 @@ void FittedNets::settle(const Topology& bands, const Eigen::VectorXd& start) {
   std::vector<Eigen::VectorXd> starts = usual_starts();
   starts.push_back(start);
   for (const Eigen::VectorXd& from : starts) {
-    BandFit again = fitter_->fit(presences_of(bands), from);
+    BandFit again = fitter_->fit(topology_presences(bands), from);
     const bool better = !net.fit.holds || again.misfit < net.fit.misfit;
     if (again.holds && better) net.fit = std::move(again);
   }
@@ -91,7 +91,7 @@ double FittedNets::min_misfit(int band, bool present) const {
   return best ? best->fit.misfit : kInfinity;
 }
 
-std::vector<FittedNet> FittedNets::alike(double doubt) const {
+std::vector<FittedNet> FittedNets::nets_within(double doubt) const {
   const FittedNet* first = best();
   std::vector<FittedNet> nets;
   // Every net that carries the loads and fits as well.

@@ -43,9 +43,9 @@ class FittedNets {
   [[nodiscard]] double min_misfit(int band, bool present) const;
 
   /// Returns the nets that carry the loads with misfits within `doubt` of the smallest, best first.
-  [[nodiscard]] std::vector<FittedNet> alike(double doubt) const;
+  [[nodiscard]] std::vector<FittedNet> nets_within(double doubt) const;
 
-  [[nodiscard]] bool knows(const Topology& bands) const { return tried_.count(bands) > 0; }
+  [[nodiscard]] bool contains(const Topology& bands) const { return tried_.count(bands) > 0; }
   [[nodiscard]] std::size_t size() const { return tried_.size(); }
   [[nodiscard]] BandFitter& fitter() { return *fitter_; }
 

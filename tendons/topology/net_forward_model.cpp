@@ -13,7 +13,7 @@ namespace {
 // A muscle whose band is shorter has drawn its node in [m]
 constexpr double kCollapsedLength = 1e-3;
 
-/// Candidates that exist, each with its place among the bands of net_of().
+/// Candidates that exist, each with its place among the bands of net_with_stiffness().
 std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
                                            const Eigen::VectorXd& EA) {
   // Candidate of each band.
@@ -37,7 +37,7 @@ bool carries_loads(const Net& net, const NetEquilibrium& rest) {
   // Balanced, or nearly so.
   const bool still = rest.status == NetStatus::kBalanced ||
                      rest.status == NetStatus::kOverstrained ||
-                     (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
+                     (rest.status == NetStatus::kStalled && rest.residual < kMaxSettledResidual);
   if (!still || !rest.x.allFinite()) return false;
   // A muscle that has collapsed its node is not held.
   for (std::size_t b = 0; b < net.bands.size(); ++b)
@@ -73,7 +73,7 @@ Eigen::MatrixXd NetForwardModel::slope_of(const Net& net, const Posed& posed,
   // Derivatives of band lengths by the joints.
   const Eigen::MatrixXd turn =
       length_by_posture(net, candidate_.tree, posed.state, {posed.test.tension, {}}, rest,
-                        {static_cast<int>(posed.test.q.size()), kSettledNet});
+                        {static_cast<int>(posed.test.q.size()), kMaxSettledResidual});
   // Reciprocity: they give the torque's derivative by each EA.
   for (const auto& [candidate, band] : places_of(candidate_, EA))
     tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
@@ -91,7 +91,7 @@ NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities 
   NetPrediction out;
   out.value.resize(rows);
   if (slopes == Sensitivities::kWith) out.by_EA.resize(rows, EA.size());
-  const Net net = net_of(candidate_, EA);
+  const Net net = net_with_stiffness(candidate_, EA);
   NetSolver solver(net);
   // Equilibrium of each test, near the last forecast if there is one.
   for (const Posed& posed : tests_) {

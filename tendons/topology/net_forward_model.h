@@ -15,10 +15,10 @@ namespace thenar {
 /// Residual above which a net that the solver could not balance is rejected [N]. Below it a net
 /// counts as balanced and differentiable: it is far below what a load cell measures.
 /// NetPrediction::residual holds the actual value.
-inline constexpr double kSettledNet = 1e-4;
+inline constexpr double kMaxSettledResidual = 1e-4;
 
 /// Returns whether a net in equilibrium holds every muscle that pulls it: it is balanced, at least
-/// to kSettledNet, and no muscle has drawn its node into its exit.
+/// to kMaxSettledResidual, and no muscle has drawn its node into its exit.
 [[nodiscard]] bool carries_loads(const Net& net, const NetEquilibrium& rest);
 
 /// Readings of all tests, stacked.

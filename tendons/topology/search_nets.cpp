@@ -81,7 +81,7 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
     // At the end, single changes of a best net that noise does not explain.
     if (g == options.generations && !noise_explains(best.fit))
       descend(tried, best.bands, best.fit.s, options.price);
-    alive = survivors(tried.alike(kAllMisfits), options);
+    alive = survivors(tried.nets_within(kAllMisfits), options);
     if (g == options.generations || progress.stop()) break;
     for (int i = 0; i < options.children; ++i) {
       const Member child = child_of(alive, random);
@@ -101,7 +101,7 @@ std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
 /// Returns whether survivors may agree by chance: there are fewer than four numbers a band, or
 /// noise does not explain the misfit.
 bool few(FittedNets& tried) {
-  const Eigen::Index bands = tried.fitter().typical().size();
+  const Eigen::Index bands = tried.fitter().typical_EA().size();
   return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);
 }
 
@@ -208,7 +208,7 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
     // With an oracle a bad fit calls for more tests, not for more noise.
     const double error = oracle ? 1 : model_error(tried);
     // Rank the tests that are left by how much survivors disagree on them.
-    out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
+    out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical_EA(),
                                      {error * options.noise.relative, error * options.noise.floor}),
                           search.used);
     // Measure as many as a round allows.
@@ -216,7 +216,8 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
                             : options.tests_a_round;
     const std::vector<RankedTest> chosen =
         choose(out.next, pool, few(tried) ? 0 : options.enough, left);
-    const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
+    const int rivals =
+        static_cast<int>(tried.nets_within(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
     out.stop = reason(progress, out.next, left, options.enough);
     // No more measurements: assess the bands.

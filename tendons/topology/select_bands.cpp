@@ -13,7 +13,7 @@ constexpr double kStarts[] = {1, 0.1};    // s of all bands where paths start
 Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
   Topology bands;
   for (Eigen::Index c = 0; c < s.size(); ++c) {
-    const double least = fitter.candidate().candidates[c].least / fitter.typical()(c);
+    const double least = fitter.candidate().candidates[c].min_EA / fitter.typical_EA()(c);
     bands.push_back(s(c) > 0.5 * least);
   }
   return bands;
@@ -49,7 +49,7 @@ void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions
 }  // namespace
 
 Selection select_bands(FittedNets& tried, const SelectOptions& options, const Progress& progress) {
-  const Eigen::Index n = tried.fitter().typical().size();
+  const Eigen::Index n = tried.fitter().typical_EA().size();
   Selection out;
   // Paths from soft and from typical bands.
   double part = 0;
@@ -63,7 +63,7 @@ Selection select_bands(FittedNets& tried, const SelectOptions& options, const Pr
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
   // All nets that carry the loads, by Schwarz's criterion.
-  std::vector<FittedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
+  std::vector<FittedNet> starts = tried.nets_within(std::numeric_limits<double>::infinity());
   if (starts.empty()) return out;
   std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, price) < score(b, price);

@@ -29,9 +29,10 @@ struct [[nodiscard]] Selection {
   Topology bands;  // topology after descent from the step of minimal information
 };
 
-/// Minimises  chi^2 + price * sum log(1 + s / kSoft),  s = EA / typical EA >= 0,  over a path of
-/// prices from several starts. Bands above half their smallest EA are kept and fitted again without
-/// penalty; Schwarz's criterion chooses the step; single changes that lower it are then made.
+/// Minimises  chi^2 + price * sum log(1 + s / kSoftRatio),  s = EA / typical EA >= 0,  over a path
+/// of prices from several starts. Bands above half their smallest EA are kept and fitted again
+/// without penalty; Schwarz's criterion chooses the step; single changes that lower it are then
+/// made.
 ///
 /// The plain L1 penalty on EA is not used: nets of equal ratios of EA differ little, so it would
 /// lower the penalty by softening all bands alike. Source: [Candes2008] for the penalty,

@@ -35,13 +35,14 @@ struct GeodesicEnd {
                                           double length);
 
 /// Normal and shape operator of the surface at a point on it.
-struct SurfaceShapeAt {
+struct SurfaceCurvature {
   Eigen::Vector3d n;  // outward unit normal (3)
   Eigen::Matrix3d S;  // dn/dp, symmetric, S n = 0 (3, 3) [1/m]
 };
 /// Computes normal and shape operator at a point that lies on the surface, without a search for the
 /// nearest point.
-[[nodiscard]] SurfaceShapeAt shape_at(const BoneSurface& surface, const Eigen::Vector3d& p_S);
+[[nodiscard]] SurfaceCurvature surface_curvature(const BoneSurface& surface,
+                                                 const Eigen::Vector3d& p_S);
 
 /// Computes a level function: negative inside, zero on the surface, in units of length near it [m].
 [[nodiscard]] double level(const BoneSurface& surface, const Eigen::Vector3d& p_S);

@@ -76,58 +76,59 @@ class PathSolver {
   [[nodiscard]] const PathSet& set() const { return *set_; }
 
  private:
-  struct FarSide {  // of one cylinder and one point beside it
-    bool at_b;      // the point is the run's second
+  struct FarSide {  // test of one point against the far side of an adjacent cylinder
+    bool at_b;      // true: the point is the run's second end
     int surface;
-    Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
+    Eigen::Vector2d reference, side;  // directions across the axis at the reference posture (2)
   };
-  struct PathEnds {  // of a run between two points
+  struct PathEnds {  // run between two points
     int link_a, link_b;
     Eigen::Vector3d a, b;
-    double length;                    // if it is rigid; negative otherwise [m]
-    const std::vector<FarSide>* far;  // of the run
+    double length;                    // length of a rigid run; negative: it changes [m]
+    const std::vector<FarSide>* far;  // far-side tests of the run
   };
-  struct Slot {  // one surface of the run in work
+  struct Slot {  // surface of the current run
     bool on = false;
-    double error = 0;  // [rad]
+    double error = 0;  // largest kink [rad]
     ChainArc link;
     Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
   };
   const std::vector<PathShape>& solve(const TreeState<double>& state, bool all);
   void solve_path(std::size_t k, const TreeState<double>& state, bool all);
-  void ride(std::size_t k, const TreeState<double>& state, PathEnds& last, PathShape& shape) const;
+  void place_riding_origin(std::size_t k, const TreeState<double>& state, PathEnds& last,
+                           PathShape& shape) const;
   [[nodiscard]] bool has_crossed(const PathEnds& ends) const;
   void add_run(const std::vector<PathWrap>& bends, const PathEnds& ends, PathShape& shape);
-  bool add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
-  void tighten(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
-               const Eigen::Vector3d& b, PathShape& shape);
-  void sweep(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-             PathShape& shape);
-  double rewrap(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
-                const Eigen::Vector3d& b, PathShape& shape);
-  void wrap_one(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
-                const Eigen::Vector3d& b, PathShape& shape);
-  double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
-  double settle_on(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+  bool add_round_run(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
+  void tighten_run(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b, PathShape& shape);
+  void sweep_surfaces(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b, PathShape& shape);
+  double update_wrap(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
+                     const Eigen::Vector3d& b, PathShape& shape);
+  void wrap_surface(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
+                    const Eigen::Vector3d& b, PathShape& shape);
+  double solve_contacts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
+  double solve_clear_contacts(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b, PathShape& shape);
   [[nodiscard]] bool runs_clear(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b) const;
-  void start_over_sides(const std::vector<PathWrap>& bends);
-  void take_chain(const std::vector<PathWrap>& bends);
-  static void set_touches(Slot& slot);
+  void start_chain_at_sides(const std::vector<PathWrap>& bends);
+  void load_slots(const std::vector<PathWrap>& bends);
+  static void update_touch_points(Slot& slot);
   void set_directions(PathShape& shape) const;
 
   const PathSet* set_;
   std::vector<Pose<double>> X_;             // X_WS of each surface
   std::vector<std::vector<double>> rigid_;  // length of each run of each path; negative: it changes
-  std::vector<std::vector<std::vector<FarSide>>> far_;  // of each run of each path
-  std::vector<bool> carries_;                           // (paths)
-  bool crossed_ = false;                                // a point of the path in work
+  std::vector<std::vector<std::vector<FarSide>>> far_;  // far-side tests of each run of each path
+  std::vector<bool> carries_;                           // true: another path rides on it (paths)
+  bool crossed_ = false;  // true: a point of the current path is on a far side
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
-  std::vector<ChainArc> chain_;   // those that touch
-  std::vector<ChainArc> rest_;    // where beads rest
-  std::vector<ChainArc> single_;  // one of them
+  std::vector<ChainArc> chain_;       // surfaces in contact
+  std::vector<ChainArc> bead_chain_;  // arcs found by the beads
+  std::vector<ChainArc> single_;      // chain of one surface
 };
 
 /// Samples points along a tendon for drawing, at most `spacing` [m] apart on arcs, world (3,

@@ -11,7 +11,7 @@ namespace thenar {
 /// Contact of a string from a to b with the circle of radius r about the origin.
 struct PlanarWrap {
   Eigen::Vector2d touch_a, touch_b;  // touch points on the sides of a and b [m] (2)
-  double way;                        // sense of wrapping: 1 counterclockwise, -1 clockwise
+  double sense;                      // sense of wrapping: 1 counterclockwise, -1 clockwise
   double angle;                      // wrapped angle, 0 .. 2 pi [rad]
   double free_a, free_b;             // lengths of the straight parts [m]
 };

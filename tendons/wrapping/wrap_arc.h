@@ -34,7 +34,7 @@ struct RoundArc {
 
 /// Computes the smallest level() on the straight run from a to b: negative where it passes through
 /// the surface [m].
-[[nodiscard]] double clearance(const BoneSurface& surface, const Eigen::Vector3d& a_S,
+[[nodiscard]] double min_level(const BoneSurface& surface, const Eigen::Vector3d& a_S,
                                const Eigen::Vector3d& b_S);
 
 /// Computes an initial guess for Newton's method on any other surface; nothing if the string is
