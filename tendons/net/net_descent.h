@@ -26,8 +26,8 @@ class NetDescent {
                                    const Eigen::Matrix3Xd* start);
 
  private:
-  static constexpr double kMaxStep = 0.02;  // Longest move of a node in one step [m]
-  // A push that exceeds the tolerance only within this is due to stiffness [m]
+  static constexpr double kMaxStep = 0.02;  // largest move of a node in one step [m]
+  // Distance within which a force error above the tolerance is attributed to stiffness [m]
   static constexpr double kStiffnessDistance = 1e-4;
 
   /// Node positions with energy and contacts there.

@@ -148,9 +148,8 @@ class NetTendons : public DigitTendons {
 
   /// Returns the equilibrium stored in `at`; if there is none, solves for it from the nodes of
   /// `at`.
-  [[nodiscard]] std::shared_ptr<const NetEquilibrium> rest_of(const TendonTorque& at,
-                                                              const Eigen::VectorXd& q,
-                                                              const Eigen::VectorXd& t) const;
+  [[nodiscard]] std::shared_ptr<const NetEquilibrium> equilibrium_of(
+      const TendonTorque& at, const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
 
   std::shared_ptr<const DigitTendons> linear_;
   BuiltNet net_;

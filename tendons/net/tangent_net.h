@@ -56,10 +56,10 @@ struct TangentNet {
 
  private:
   void number_nodes();
-  void let_go();
+  void release_penalties();
   void probe_contacts();
-  void state_bands();
-  void free_directions();
+  void evaluate_bands();
+  void find_free_directions();
   void factor();
 };
 

@@ -69,7 +69,7 @@ class TendonActuator {
  private:
   void move_net(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
   void add_net(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
-  void answer(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
+  void evaluate_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
 
   const DigitTendons& tendons_;
   const NetTendons* net_;  // tendons_ as a digit with a net; null: it has none
