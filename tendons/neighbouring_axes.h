@@ -39,7 +39,7 @@ struct NeighbouringAxes {
 
 /// Computes the point of each axis nearest to the straight line from the first axis to the tip,
 /// where a bone would cross it; for pictures, since any point of an axis gives the same kinematics.
-/// @return world frame [m] (3, of each hinge)
+/// @return world frame [m] (3) for each hinge
 [[nodiscard]] std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
                                                        const TreeState<double>& state);
 

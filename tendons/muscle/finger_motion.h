@@ -173,7 +173,7 @@ class FingerMotion {
 
   /// Switches to elastic tendons from an equilibrium state, if the net allows it; excursions are
   /// then no longer states.
-  void rest_on_tendons(MotionState& state, const MotionInstant& now);
+  void switch_to_tendons(MotionState& state, const MotionInstant& now);
 
   /// Computes fibre lengths over optimal fibre lengths [1] (muscles).
   [[nodiscard]] Eigen::VectorXd fibres(const MotionState& state,
@@ -185,9 +185,9 @@ class FingerMotion {
 
   [[nodiscard]] Eigen::MatrixXd state_jacobian(const MotionState& state, const MotionInstant& now,
                                                Eigen::MatrixXd& J) const;
-  [[nodiscard]] Eigen::MatrixXd slopes_on_tendons(const MotionState& state,
-                                                  const MotionInstant& now,
-                                                  Eigen::MatrixXd& J) const;
+  [[nodiscard]] Eigen::MatrixXd jacobian_on_tendons(const MotionState& state,
+                                                    const MotionInstant& now,
+                                                    Eigen::MatrixXd& J) const;
 
   /// Computes the change of line lengths since the reference posture, with the net in equilibrium
   /// [m] (muscles).
