@@ -16,19 +16,20 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kMomentArm = 0.01;  // Lever arm that converts moments to newtons [m]
-constexpr double kStopArm = 0.01;    // Moment arm of the tendon that stands for a stop [m]
+constexpr double kMomentArm = 0.01;  // lever arm that converts moments to newtons [m]
+constexpr double kStopArm = 0.01;    // moment arm of the tendon that models a stop [m]
 
-/// The balance as one of forces alone, for max_tip_force().
+/// Balance as one of forces alone, for max_tip_force().
 struct LoadBalance {
-  TipStatics statics;    // J is that of the load that is asked for, per `unit`
-  double unit;           // one newton of it: 1 N, or kMomentArm [N m]
-  Eigen::Matrix3Xd B;    // Jacobian of the other load (3, n)
-  MatrixXd N;            // torques that are balanced in `statics`, as columns (n, balanced)
-  Eigen::Matrix3Xd way;  // the other load of each pair of further tendons (3, 0 or 3)
+  TipStatics statics;          // J is that of the maximised load, per `unit`
+  double unit;                 // unit of that load: 1 N, or kMomentArm [N m]
+  Eigen::Matrix3Xd B;          // Jacobian of the other load (3, n)
+  MatrixXd N;                  // torques that are balanced in `statics`, as columns (n, balanced)
+  Eigen::Matrix3Xd pair_axes;  // other load of each pair of additional tendons (3, 0 or 3)
 };
 
-/// Torques that no other load makes: an orthonormal basis of the null space of B (n, n - rank).
+/// Computes an orthonormal basis of the torques that no other load produces: the null space of B
+/// (n, n - rank).
 MatrixXd null_space(const Eigen::Matrix3Xd& B) {
   const Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
@@ -36,12 +37,12 @@ MatrixXd null_space(const Eigen::Matrix3Xd& B) {
   return svd.matrixV().rightCols(B.cols() - (sigma(0) > 0 ? rank : 0));
 }
 
-/// The matrix without entries that are rounding of `size`.
+/// Returns the matrix with entries that are rounding of `size` set to zero.
 MatrixXd cleaned(const MatrixXd& matrix, double size) {
   return (matrix.array().abs() > internal::kRankTolerance * size).select(matrix, 0);
 }
 
-/// The balance of torques N alone. Where nothing is left to balance, one joint that feels nothing.
+/// Reduces the balance to the torques N. Where nothing remains, it has one joint without any load.
 void eliminate(const MatrixXd& N, TipStatics& statics) {
   if (N.cols() == 0) {
     statics.J = Eigen::Matrix3Xd::Zero(3, 1);
@@ -54,7 +55,7 @@ void eliminate(const MatrixXd& N, TipStatics& statics) {
   statics.tau_0 = N.transpose() * statics.tau_0;
 }
 
-/// A further tendon for each stop, below those of muscles.
+/// Adds a tendon for each stop, below those of muscles.
 void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
   const Index m = statics.R.rows(), n = statics.R.cols();
   const auto count = static_cast<Index>(stops.size());
@@ -72,7 +73,8 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
   }
 }
 
-/// Torque of each stop [N m] (stops). @param tension  of its tendon [N] (stops)
+/// Computes the torque of each stop [N m] (stops). @param tension  tension of its tendon [N]
+/// (stops)
 VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tension) {
   VectorXd torque(tension.size());
   for (Index k = 0; k < torque.size(); ++k)
@@ -90,8 +92,8 @@ VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointSt
 
 /// Further tendons that make each component of the other load, both ways, up to `most`.
 void add_pairs(const LoadBalance& balance, double most, TipStatics& statics) {
-  const Index m = statics.R.rows(), pairs = balance.way.cols();
-  const MatrixXd arms = balance.way.transpose() * balance.B;
+  const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
+  const MatrixXd arms = balance.pair_axes.transpose() * balance.B;
   statics.R.conservativeResize(m + 2 * pairs, Eigen::NoChange);
   statics.R.middleRows(m, pairs) = -arms;
   statics.R.bottomRows(pairs) = arms;
@@ -117,7 +119,7 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
     balance.N = null_space(balance.B);
     eliminate(balance.N, asked);
   } else if (options.most_other > 0) {
-    balance.way = options.axes;
+    balance.pair_axes = options.axes;
     add_pairs(balance, options.most_other, asked);
   }
   return balance;
@@ -128,9 +130,10 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
 /// @param tension  of muscles, stops and pairs [N]
 Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const Vector3d& asked,
                     const VectorXd& passive, const VectorXd& tension) {
-  const Index m = statics.R.rows(), pairs = balance.way.cols();
+  const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
   // Pairs of tendons say it.
-  if (pairs > 0) return balance.way * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
+  if (pairs > 0)
+    return balance.pair_axes * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
   // It was zero.
   if (balance.N.cols() == balance.N.rows()) return Vector3d::Zero();
   // The least that balances what is left over.
@@ -214,12 +217,12 @@ VectorXd max_tip_load_gradient(const TipStatics& statics,
           "a moment, or a direction that turns with the tip, needs its rotation Jacobian W");
   VectorXd result(slopes.size());
   for (Index k = 0; k < result.size(); ++k) {
-    // Torque that the change leaves to be balanced.
+    // Compute the torque that the change leaves unbalanced.
     const StaticsDerivative& slope = slopes[k];
     VectorXd torque =
         slope.R.transpose() * largest.largest.tension + slope.tau_0 - slope.J.transpose() * f;
     if (has_rotation(statics)) torque -= slope.W.transpose() * m;
-    // Directions that turn with the tip turn the loads.
+    // Rotate the loads if directions turn with the tip.
     if (frame == DirectionFrame::kTip) {
       const Vector3d w = statics.W.col(k);
       torque -= statics.J.transpose() * w.cross(f) + statics.W.transpose() * w.cross(m);

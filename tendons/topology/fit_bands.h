@@ -48,7 +48,7 @@ class BandFitter {
   /// Fits the stiffnesses. The unknowns are  x = log(1 + s / kSoftRatio),  since a net depends on
   /// ratios of stiffness, but zero must be reachable. Their penalty is thus the log-sum penalty
   /// that re-weighted L1 majorises [Candes2008]. During the fit each net starts near the previous
-  /// one; the returned result is that of predict() without this memory.
+  /// one; the returned result is that of predict() without this warm start.
   /// @param presence  assumption about each candidate (candidates)
   /// @param start     initial s, clamped to the bounds [1] (candidates)
   /// @param price     penalty on the unknowns, or empty [1] (candidates)
@@ -71,12 +71,12 @@ class BandFitter {
   [[nodiscard]] long solves() const { return forward_.solves(); }
 
  private:
-  enum class Memory { kKept, kNone };  // start of each net: the previous equilibrium, or none
+  enum class WarmStart { kKept, kNone };  // start of each net: the previous equilibrium, or none
   struct Followed {
     BandFit fit;
     bool strayed = false;  // true: a net with two equilibria is not in the one that predict() finds
   };
-  Followed follow(BoundedFit problem, const Eigen::VectorXd& x0, Memory memory);
+  Followed follow(BoundedFit problem, const Eigen::VectorXd& x0, WarmStart warm_start);
   [[nodiscard]] FitResiduals residuals(const NetPrediction& forecast) const;
   NetForwardModel forward_;
   BoundedFitOptions options_;

@@ -62,9 +62,9 @@ class NetForwardModel {
   /// net in equilibrium and phi that of one band:
   ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
   /// so one linear solve per joint replaces one per EA.
-  [[nodiscard]] Eigen::MatrixXd slope_of(const Net& net, const Posed& posed,
-                                         const NetEquilibrium& rest,
-                                         const Eigen::VectorXd& EA) const;
+  [[nodiscard]] Eigen::MatrixXd reading_by_EA(const Net& net, const Posed& posed,
+                                              const NetEquilibrium& rest,
+                                              const Eigen::VectorXd& EA) const;
 
   CandidateNet candidate_;
   std::vector<Posed> tests_;
