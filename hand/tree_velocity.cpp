@@ -9,7 +9,7 @@ TreeVelocity joint_velocity_tree(const Tree<double>& tree, const TreeState<doubl
   const std::vector<Eigen::Vector3d> none(tree.size(), Eigen::Vector3d::Zero());
   TreeVelocity rate{std::vector<BodyTwist>(tree.size() + 1), none, none};
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    // A link moves with its parent, and about its hinge if that belongs to the coordinate.
+    // Move the link with its parent, and about its hinge if that belongs to the coordinate.
     const BodyTwist& parent = rate.body(tree[i].parent);
     BodyTwist& link = rate.link[i + 1];
     link = parent;

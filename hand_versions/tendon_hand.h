@@ -80,7 +80,7 @@ class TendonHand final : public Hand {
   HandLayout layout_;
 };
 
-// Largest torque of the tendons of a hand at each joint alone: limits for a hand of motors.
+// Torque limits of a hand of motors, from tendons.
 
 /// Computes the largest and smallest torque of each coordinate at posture q,
 ///   upper_j = sum_i max(B_ji, 0) upper_i,   lower_j = sum_i min(B_ji, 0) upper_i,

@@ -34,7 +34,7 @@ struct SkinPatch {
 
 /// Builds pad and nail of every digit that the skeleton keeps. The centre of the pad is four tenths
 /// of the distal phalanx before the tip, with a half length of a third of it; that of the nail
-/// three tenths before the tip, with a half length of three tenths; breadths are those of the
+/// three tenths before the tip, with a half length of a quarter; breadths are in proportion to the
 /// fingertip. These ratios are assumptions, chosen by eye.
 [[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
                                                   const Skeleton& skeleton);

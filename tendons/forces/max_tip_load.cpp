@@ -82,7 +82,7 @@ VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tensi
   return torque;
 }
 
-/// The passive torque of all joints, stops included [N m] (n).
+/// Computes the passive torque of all joints, stops included [N m] (n).
 VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointStop>& stops,
                             const VectorXd& torque) {
   VectorXd passive = statics.tau_0;
@@ -90,17 +90,18 @@ VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointSt
   return passive;
 }
 
-/// Further tendons that make each component of the other load, both ways, up to `most`.
-void add_pairs(const LoadBalance& balance, double most, TipStatics& statics) {
+/// Adds tendons that produce each component of the other load, in both senses, up to `max_load`.
+void add_pairs(const LoadBalance& balance, double max_load, TipStatics& statics) {
   const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
   const MatrixXd arms = balance.pair_axes.transpose() * balance.B;
   statics.R.conservativeResize(m + 2 * pairs, Eigen::NoChange);
   statics.R.middleRows(m, pairs) = -arms;
   statics.R.bottomRows(pairs) = arms;
   statics.max_tension.conservativeResize(m + 2 * pairs);
-  statics.max_tension.tail(2 * pairs).setConstant(most);
+  statics.max_tension.tail(2 * pairs).setConstant(max_load);
 }
 
+/// Builds the balance of the requested load.
 LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& options) {
   const bool moment = options.load == TipLoad::kMoment;
   internal::require_statics(statics);
@@ -125,18 +126,18 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
   return balance;
 }
 
-/// The other load at a solution [N m] or [N] (3).
+/// Computes the other load at a solution [N m] or [N] (3).
 /// @param passive  torque of all joints without muscles [N m] (n)
-/// @param tension  of muscles, stops and pairs [N]
+/// @param tension  tensions of muscles, stops and pairs [N]
 Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const Vector3d& asked,
                     const VectorXd& passive, const VectorXd& tension) {
   const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
-  // Pairs of tendons say it.
+  // Read it from the pairs of tendons.
   if (pairs > 0)
     return balance.pair_axes * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
-  // It was zero.
+  // Return zero if it is not part of the balance.
   if (balance.N.cols() == balance.N.rows()) return Vector3d::Zero();
-  // The least that balances what is left over.
+  // Find the smallest load that balances the rest.
   const Eigen::Matrix3Xd A = balance.unit == 1 ? statics.J : statics.W;
   const VectorXd left = statics.R.transpose() * tension.head(m) + passive - A.transpose() * asked;
   Eigen::JacobiSVD<MatrixXd> svd(balance.B.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -144,7 +145,7 @@ Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const
   return svd.solve(left);
 }
 
-/// Prices and their checks in the unit of the load, of muscles alone.
+/// Converts prices and their checks to the unit of the load, and to muscles alone.
 ForceLimitPrices prices_in(double unit, Index muscles, const ForceLimitPrices& prices) {
   ForceLimitPrices result{
       {}, {}, unit * prices.gap, unit * prices.slackness, prices.dual_violation};
@@ -166,7 +167,7 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
                     Vector3d::Zero(), VectorXd::Zero(stops), VectorXd()};
   MaxTipForce& largest = result.largest;
   const VectorXd tension = largest.tension;
-  // From newtons of the common program to the unit of the load, and to muscles alone.
+  // Convert from newtons of the program to the unit of the load, and to muscles alone.
   largest.force *= unit;
   largest.component *= unit;
   largest.tension = tension.head(m);
@@ -182,7 +183,7 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
   largest.prices = prices_in(unit, m, largest.prices);
   if (!solved) return result;
 
-  // Stops, the other load, and the balance from J, W and R themselves.
+  // Compute the stops, the other load, and the imbalance from J, W and R themselves.
   result.stop_torque = stop_torques(options.stops, tension.segment(m, stops));
   const VectorXd passive = passive_with_stops(statics, options.stops, result.stop_torque);
   result.other = other_load(statics, balance, largest.force, passive, tension);

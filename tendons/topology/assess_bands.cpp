@@ -136,7 +136,7 @@ void set_stiffness(FittedNets& tried, InferredNet& out) {
     const double sd = out.inflation * std::sqrt(variance(i));
     out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
     const CandidateBand& bounds = tried.fitter().candidate().candidates[c];
-    out.verdicts[c].EA_told =
+    out.verdicts[c].EA_determined =
         out.verdicts[c].EA_sd < std::log(bounds.max_EA / bounds.min_EA) / std::sqrt(12.0);
   }
 }

@@ -34,8 +34,9 @@ struct BandVerdict {
   double EA = 0;          // stiffness in the best net, 0 where it lacks the band [N]
   double EA_sd = 0;  // standard deviation of log EA with the others free [1]; infinite if the data
                      // do not determine it
-  bool EA_told = false;  // true: the data constrain EA more than its bounds: EA_sd is below that of
-                         // log EA uniform between them, log(max_EA / min_EA) / sqrt(12)
+  bool EA_determined =
+      false;  // true: the data constrain EA more than its bounds: EA_sd is below that of
+              // log EA uniform between them, log(max_EA / min_EA) / sqrt(12)
 };
 
 /// Bands with dependent verdicts: the data require some of them, but not which.
