@@ -63,7 +63,7 @@ Net fork(double EA) {
   for (NetBand* band : {&left, &right}) {
     band->slack = 0.01;
     band->EA = EA;
-    band->most_strain = 0.1;
+    band->max_strain = 0.1;
   }
   muscle.muscle = 0;
   net.bands = {left, right, muscle};
