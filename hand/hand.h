@@ -80,8 +80,8 @@ struct LinkSurface {
   std::string name;   // "DP2", "palm"
   std::string digit;  // "index", "finger 1"; empty: palm or arm
   std::string material;
-  std::shared_ptr<const Solid>
-      solid;  // shape in the hand frame, reference posture; shared by copies of a hand
+  /// Shape in the hand frame, reference posture; shared by copies of a hand.
+  std::shared_ptr<const Solid> solid;
 };
 
 /// Approach direction of the palm, in the hand's frame.

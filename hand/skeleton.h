@@ -38,16 +38,16 @@ struct CoordinateLimits {
   double stiffness;  // spring stiffness [N m/rad]: passive torque = -stiffness (q - rest), plus
                      // that of the ends
   double damping;    // [N m s/rad]
-  std::vector<PassiveHinge> ends =
-      {};  // hinges of the coordinate that have a passive moment at their ends
+  /// Hinges of the coordinate that have a passive moment at their ends.
+  std::vector<PassiveHinge> ends = {};
 };
 
 /// Mass of all segments welded to one link, at the reference posture.
 struct LinkMass {
   double mass = 0;               // [kg]
   Eigen::Vector3d com{0, 0, 0};  // centre of mass [m] (3)
-  Eigen::Matrix3d inertia =
-      Eigen::Matrix3d::Zero();          // moments of inertia about com, base axes [kg m^2] (3, 3)
+  /// Moments of inertia about com, base axes [kg m^2] (3, 3).
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   std::string segment_without_inertia;  // segment with mass but unknown inertia; empty: none
 };
 
@@ -68,10 +68,10 @@ struct Skeleton {
   std::vector<CoordinateLimits> limits;        // limits of each coordinate
   std::vector<LinkMass> masses;                // mass of each link
   std::map<std::string, int> link_of_segment;  // link that carries each segment; -1: the base
-  std::map<std::string, Pose<double>>
-      segment_at;  // displacement of each segment at q = 0, by frozen joints
-  std::map<std::string, double>
-      frozen;  // joint, by name or by its leader -> the angle it is frozen at [rad]
+  /// Displacement of each segment at q = 0, by frozen joints.
+  std::map<std::string, Pose<double>> segment_at;
+  /// Joint, by name or by its leader -> the angle it is frozen at [rad].
+  std::map<std::string, double> frozen;
   std::vector<SkeletonTip> tips;
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(coordinate_names.size()); }

@@ -42,8 +42,8 @@ enum class Cover {
 struct HumanHandOptions {
   Cover cover = Cover::kSkin;
   SkinOptions skin;
-  std::optional<Path>
-      path;  // path model of tendons; absent: default_path(). Subjects with arms alone use these
+  /// Path model of tendons; absent: default_path(). Subjects with arms alone use these.
+  std::optional<Path> path;
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
   PassiveMoments passive =
       PassiveMoments::kOn;  // whether the subject's passive moments are included

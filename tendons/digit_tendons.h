@@ -103,8 +103,8 @@ struct NetSnap {
 /// Snaps and energy error of a net since the previous state.
 struct NetStep {
   std::vector<NetSnap> snaps;  // in order of occurrence
-  double unexplained =
-      0;  // change of the net's potential not explained by torque, line lengths or snaps [J]
+  /// Change of the net's potential not explained by torque, line lengths or snaps [J].
+  double unexplained = 0;
 };
 
 /// Derivatives of a digit whose muscles act through elastic tendons, by posture and by the position

@@ -23,8 +23,8 @@ struct [[nodiscard]] StrandDerivatives {
   bool exist = true;       // false: a strand is not differentiable here
   Eigen::MatrixXd R;       // moment arms, as in StrandArms
   Eigen::VectorXd length;  // strand lengths [m] (strands); -R q where arms are constant
-  std::vector<Eigen::MatrixXd>
-      dR;  // d R_j/d q_k, one matrix (coordinates, coordinates) per strand [m/rad^2] (strands)
+  /// D R_j/d q_k, one matrix (coordinates, coordinates) per strand [m/rad^2] (strands).
+  std::vector<Eigen::MatrixXd> dR;
 };
 
 /// Workspace for arms of wrapped strands; it does not affect results.

@@ -80,9 +80,9 @@ struct TendonDigit {
   std::vector<CalibratedOn> calibrated_on{};  // force measurements to which the subject was fitted
   std::shared_ptr<const BuiltNet> net{};  // floating net in place of a hood; null: none. Constant,
                                           // shared by copies of the digit
-  Eigen::MatrixXi
-      actions{};  // action of each muscle at each joint, by the sign of the subject's arms_mm or by
-                  // its name: 1 positive arm, -1 negative, 0 unknown (muscles, coordinates)
+  /// Action of each muscle at each joint, by the sign of the subject's arms_mm or by its name: 1
+  /// positive arm, -1 negative, 0 unknown (muscles, coordinates).
+  Eigen::MatrixXi actions{};
 };
 
 /// Treatment of joints that digits share: the wrist.
@@ -101,8 +101,8 @@ struct TendonOptions {
   Hood hood = Hood::kFractions;  // hood model; kSeparate: every muscle pulls its own strand only
   std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
   WristMode wrist_mode = WristMode::kWelded;
-  std::vector<std::string>
-      kept{};  // muscles to keep even if they cross no joint of the digit: those that pull a net
+  /// Muscles to keep even if they cross no joint of the digit: those that pull a net.
+  std::vector<std::string> kept{};
 };
 
 /// Builds one digit of a subject with every muscle that crosses one of its joints. Its own paths

@@ -20,8 +20,8 @@ constexpr int kFleshBones = 3;  // number of bones of a digit with flesh of its 
 
 /// Proportions of a digit, by its name.
 struct Proportion {
-  std::array<double, kFleshBones>
-      radius;     // radii over hand length, cylinders of [Mirakhorlo2016] [1]
+  // Radii over hand length, cylinders of [Mirakhorlo2016] [1].
+  std::array<double, kFleshBones> radius;
   double length;  // length of the three bones over hand length [Buchholz1992] [1]
 };
 

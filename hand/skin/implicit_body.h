@@ -13,9 +13,9 @@ namespace thenar {
 /// Lump: a tapered capsule, flattened, or a triangle with thickness.
 struct Lump {
   std::array<Eigen::Vector3d, 3> core;  // ends of the capsule, or corners of the triangle [m]
-  std::array<double, 2> radius{
-      0, 0};           // radius at either end; half thickness of a triangle: the first [m]
-  bool sheet = false;  // true: a triangle
+  /// Radius at either end; half thickness of a triangle: the first [m].
+  std::array<double, 2> radius{0, 0};
+  bool sheet = false;             // true: a triangle
   Eigen::Vector3d flat{0, 0, 1};  // unit direction in which it is flattened (3)
   double aspect = 1;              // breadth over depth, at constant area of the section [1]
   double blend = 0;               // distance within which it blends into those before it [m]

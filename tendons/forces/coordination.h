@@ -20,8 +20,8 @@ struct CoordinationOptions {
 struct Coordination {
   Status status;  // read this first. kInfeasible: the force is out of reach; `force` is the
                   // nearest. kStalled without any result: `tension` and `force` are zero
-  Eigen::VectorXd
-      tension;  // minimal-effort tensions; if infeasible, some that give `force` [N] (m)
+  /// Minimal-effort tensions; if infeasible, some that give `force` [N] (m).
+  Eigen::VectorXd tension;
   Eigen::VectorXd activation;    // tension / F0 [1] (m)
   double effort;                 // sum activation^p [1]
   Eigen::Vector3d force;         // the wanted force, or the nearest within reach [N] (3)

@@ -16,8 +16,8 @@ namespace thenar {
 /// Nerve block with the measured loss of pinch strength.
 struct NerveBlock {
   std::string nerve;  // "ulnar"
-  std::map<std::string, double>
-      left;            // muscle -> remaining share of its F0, 0..1; muscles not named keep all [1]
+  /// Muscle -> remaining share of its F0, 0..1; muscles not named keep all [1].
+  std::map<std::string, double> left;
   double loss = 0;     // measured share of pinch strength that is lost, 0..1 [1]
   double sd = 0;       // standard deviation of the measured loss from that of a model [1]
   std::string source;  // citation keys
@@ -30,8 +30,8 @@ struct PinchLosses {
   std::string name, description;
   std::string digit;      // "thumb"
   PostureRecord posture;  // [rad]
-  Eigen::Vector3d direction{
-      0, -1, 0};  // direction of the force, components along proximal, dorsal, radial (3) [1]
+  /// Direction of the force, components along proximal, dorsal, radial (3) [1].
+  Eigen::Vector3d direction{0, -1, 0};
   double tolerance = 0;  // half angle of the cone about the direction [rad]
   std::vector<NerveBlock> blocks;
   std::string path;            // path of the file; empty: made in code
@@ -50,8 +50,8 @@ struct PinchStrength {
   double intact = 0;     // force with all muscles [N]; NaN: its program is undecided
   Eigen::VectorXd loss;  // 1 - blocked / intact, 0..1, to 1e-9 [1] (blocks); NaN: `intact` is below
                          // kMinPinchForce, or a program is undecided
-  int undecided =
-      0;  // number of programs, intact or blocked, whose force is unbounded or was not found [1]
+  /// Number of programs, intact or blocked, whose force is unbounded or was not found [1].
+  int undecided = 0;
 };
 
 /// Smallest force of an intact pinch for which losses are computed [N].

@@ -13,8 +13,8 @@ namespace thenar {
 
 /// Residuals of a solution; NaN unless solved.
 struct MaxTipForceCheck {
-  double gap =
-      kUnknown;  // duality gap: bound of how much larger a component in the cone can be [N]
+  /// Duality gap: bound of how much larger a component in the cone can be [N].
+  double gap = kUnknown;
   double outside = kUnknown;    // distance of the force outside the cone, across the direction [N]
   double imbalance = kUnknown;  // largest of |J' f - R' t - tau_0| [N m]
 

@@ -32,10 +32,10 @@ struct TipLoadOptions {
   double tolerance = 0;   // half angle of the cone about the direction, in [0, pi/2) [rad]
   double most_other = 0;  // bound of each component of the other load: 0 is a pinned tip (force) or
                           // a pure moment, infinity a rigid hold [N m] or [N]
-  Eigen::Matrix3d axes =
-      Eigen::Matrix3d::Identity();  // columns: axes of those components, world frame (3, 3)
-  bool prices = false;              // true: also compute the prices of F0
-  std::vector<JointStop> stops{};   // joints at the end of their range
+  /// Columns: axes of those components, world frame (3, 3).
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  bool prices = false;             // true: also compute the prices of F0
+  std::vector<JointStop> stops{};  // joints at the end of their range
 };
 
 /// Result of max_tip_load(); where a moment is maximised, [N] of MaxTipForce means [N m].
@@ -43,9 +43,9 @@ struct MaxTipLoad {
   MaxTipForce largest;            // maximised load; its check uses the balance below
   Eigen::Vector3d other;          // the other load, world frame [N m] or [N] (3)
   Eigen::VectorXd stop_torque{};  // torque of each stop, positive flexes [N m] (stops)
-  Eigen::VectorXd
-      stop_price{};  // d component / d |max_torque| of each stop as it grows, 0: not limiting;
-                     // empty: not requested, or not verified [N/(N m)] (stops)
+  /// D component / d |max_torque| of each stop as it grows, 0: not limiting; empty: not requested,
+  /// or not verified [N/(N m)] (stops).
+  Eigen::VectorXd stop_price{};
 };
 
 /// Computes the largest load of a tip along a direction, every joint in balance:

@@ -24,8 +24,8 @@ struct TipWrench {
   double condition;  // condition number of [length W; J]; infinite if its rank is below min(n,
                      // possible) [1]
   int rank;          // rank of [length W; J] [1]
-  bool
-      minimum_norm;  // true: rank < possible; many wrenches balance, this one has the smallest norm
+  /// True: rank < possible; many wrenches balance, this one has the smallest norm.
+  bool minimum_norm;
   int possible = 6;  // number of load components that joints can feel: 3 in the plane of parallel
                      // axes, two forces and the moment about its normal; others are 0 [1]
 };

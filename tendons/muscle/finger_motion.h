@@ -211,8 +211,8 @@ class FingerMotion {
   bool on_tendons_ = false;                   // true: net and elastic tendons minimise one energy
   long effort_ = 0;
   std::string obstacle_;
-  Eigen::VectorXd
-      slack_length_;  // line lengths at which excursions are 0 [m] (muscles; empty: no net)
+  /// Line lengths at which excursions are 0 [m] (muscles; empty: no net).
+  Eigen::VectorXd slack_length_;
 };
 
 }  // namespace thenar

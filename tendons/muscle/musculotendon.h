@@ -30,9 +30,9 @@ struct Musculotendon {
 
 /// Constants that all muscles share.
 struct HillOptions {
-  double max_velocity =
-      10;                // largest speed of shortening [optimal fibre lengths/s]; [DeGroote2016]
-  double damping = 0.1;  // damper beta [1]; [Millard2013]
+  /// Largest speed of shortening [optimal fibre lengths/s]; [DeGroote2016].
+  double max_velocity = 10;
+  double damping = 0.1;                  // damper beta [1]; [Millard2013]
   double tendon_strain = kTendonStrain;  // strain of a tendon that carries F0 [1]
 };
 

@@ -24,9 +24,9 @@ struct SimulateOptions {
   int max_steps = 1000000;  // steps of one integration
   long max_effort = 0;      // evaluations of a net's energy, both integrations together; 0:
                             // allowed_effort() by duration
-  int stall_steps =
-      500;  // number of steps that must advance the motion by kStallTime; if they do not, the
-            // tolerance is relaxed for a while, and if that fails the motion ends
+  /// Number of steps that must advance the motion by kStallTime; if they do not, the tolerance is
+  /// relaxed for a while, and if that fails the motion ends.
+  int stall_steps = 500;
   Progress progress{};
 };
 

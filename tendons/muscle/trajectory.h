@@ -35,8 +35,8 @@ enum class MotionStatus {
 struct EnergyBalance {
   double error = 0;  // largest |energy - initial energy - work + dissipated|, or, if larger, |sum
                      // of NetStep::unexplained| of a net [J]
-  double turned_over =
-      0;  // largest kinetic energy plus losses plus the sum of |work| over all steps [J]
+  /// Largest kinetic energy plus losses plus the sum of |work| over all steps [J].
+  double turned_over = 0;
   [[nodiscard]] bool holds() const {
     return error <= kEnergyDriftRatio * turned_over + kEnergyFloor;
   }
@@ -71,9 +71,9 @@ struct [[nodiscard]] Trajectory {
   Eigen::VectorXd work;        // work of the tendons on the joints [J] (instants)
   Eigen::VectorXd dissipated;  // energy lost in the dampers of the joints [J] (instants)
   EnergyBalance balance;       // energy balance of the whole integration
-  std::optional<double>
-      drift;  // largest difference between an excursion and its line length, over all steps [m];
-              // absent where it is not measured: FingerMotion::Accepted
+  /// Largest difference between an excursion and its line length, over all steps [m]; absent where
+  /// it is not measured: FingerMotion::Accepted.
+  std::optional<double> drift;
   std::vector<MotionSnap> snaps;  // snaps of a net, in order of occurrence
   double tolerance = 0;           // tolerance of the integration [1]
   OdeCounts counts;               // work of the integrator

@@ -39,8 +39,8 @@ struct NetBand {
   double EA = 0;            // axial stiffness, modulus times area: tension per strain [N]
   double toe = 0;           // strain up to which fibres are recruited [1]
   int muscle = -1;          // muscle that pulls it; -1: a passive band
-  double max_strain =
-      std::numeric_limits<double>::infinity();  // largest strain that its tissue tolerates [1]
+  /// Largest strain that its tissue tolerates [1].
+  double max_strain = std::numeric_limits<double>::infinity();
 };
 
 /// Net of bands; constant once built.
@@ -53,9 +53,8 @@ struct Net {
   double friction = 0;  // Coulomb friction of nodes on bone; not 0: see net_friction.h [1]
   double blend = 0;     // strain over which passive bands change from slack to taut (band_law.h),
                         // which keeps some tension at any length; 0: a sharp change [1]
-  double max_load =
-      std::numeric_limits<double>::infinity();  // largest tension of a passive band over the sum of
-                                                // the muscles' pulls [1]
+  /// Largest tension of a passive band over the sum of the muscles' pulls [1].
+  double max_load = std::numeric_limits<double>::infinity();
 };
 
 /// Inputs by which muscles drive the net.
@@ -63,8 +62,8 @@ struct NetDrive {
   Eigen::VectorXd tension;  // tension of each muscle, >= 0 [N] (muscles)
   Eigen::VectorXd length;   // musculotendon length that replaces a tension where it is finite [m]
                             // (muscles); empty: all by tension
-  std::vector<std::shared_ptr<const TensionLaw>>
-      law{};  // law of the band's length that replaces either (muscles); null or empty: none
+  /// Law of the band's length that replaces either (muscles); null or empty: none.
+  std::vector<std::shared_ptr<const TensionLaw>> law{};
 };
 
 /// Checks a net.

@@ -32,8 +32,8 @@ struct NetPlan {
   std::vector<int> row;         // row of each node; -1: not free
   std::vector<int> node;        // node of each row
   std::vector<BandPlan> bands;  // in the order of the net's bands
-  std::vector<std::vector<int>>
-      wrapping_bands;  // of each row: bands that end there and bend over a bone
+  /// Of each row: bands that end there and bend over a bone.
+  std::vector<std::vector<int>> wrapping_bands;
 };
 
 /// Bones and drive of one solve.
@@ -42,8 +42,8 @@ struct NetScene {
   std::vector<Pose<double>> surface;  // X_WS of each surface
   std::vector<double> pull;   // constant tension of each band; < 0: the band follows its law [N]
   std::vector<double> slack;  // slack length of each band [m]
-  std::vector<std::shared_ptr<const TensionLaw>>
-      law;  // law of each band of a muscle on an elastic tendon; null: others
+  /// Law of each band of a muscle on an elastic tendon; null: others.
+  std::vector<std::shared_ptr<const TensionLaw>> law;
   // A constant pull t has no derivative at length zero, where the node is collapsed into the exit.
   // Its energy  t |d|, d = a - b,  is written as an augmented Lagrangian,
   //   max_{|p| <= t} p.d - |p - multiplier|^2 / (2 penalty).

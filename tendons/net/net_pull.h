@@ -170,8 +170,8 @@ class PullByTendon : public NetPull {
   [[nodiscard]] PullRates rates_of(const Stretched& now, const Eigen::MatrixXd& R) const;
 
   std::vector<std::shared_ptr<const TensionLaw>> laws_;
-  Eigen::VectorXd
-      first_excess_;  // excess length of lines at exits in the initial equilibrium [m] (muscles)
+  /// Excess length of lines at exits in the initial equilibrium [m] (muscles).
+  Eigen::VectorXd first_excess_;
 };
 
 /// Returns whether every muscle of a net pulls it by one band, and every muscle of the digit pulls

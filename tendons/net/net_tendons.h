@@ -30,10 +30,10 @@ class NetTendons;
 /// Finger with frozen joints, mapped to the same finger with all of them free. Both are followed
 /// from the straight finger on the same way, and so find the same equilibrium.
 struct FreeFinger {
-  std::shared_ptr<const NetTendons>
-      tendons;  // tendons of the finger with all joints free; null: no joint is frozen
-  std::vector<PostureAngle>
-      angles;  // angle of each of its coordinates, as a function of the frozen finger's posture
+  /// Tendons of the finger with all joints free; null: no joint is frozen.
+  std::shared_ptr<const NetTendons> tendons;
+  /// Angle of each of its coordinates, as a function of the frozen finger's posture.
+  std::vector<PostureAngle> angles;
   std::vector<int> muscles;  // index in the frozen finger of each of its muscles; -1: absent
 
   [[nodiscard]] Eigen::VectorXd posture(const Eigen::VectorXd& q) const;

@@ -33,8 +33,8 @@ struct NodeContact {
   double collapsed = 0;        // pull that holds it in an exit; 0: not in an exit [N]
   std::array<int, 3> surface;  // indices in Net::surfaces
   std::array<Eigen::Vector3d, 3> normal;
-  std::array<double, 3>
-      force;                  // forces of the pressed surfaces; < 0 where bands clasp the node [N]
+  /// Forces of the pressed surfaces; < 0 where bands clasp the node [N].
+  std::array<double, 3> force;
   Eigen::Matrix3d Q;          // rows: a basis of the pressed normals, then of the tangents
   Eigen::Matrix3d curvature;  // sum of force * curvature [N/m]
   Eigen::Vector3d residual;   // residual: gradient of E that no contact balances [N]

@@ -68,8 +68,8 @@ struct TangentNet {
 /// Rates caused by one input, except those of the floating nodes.
 struct NetPerturbation : TreeVelocity {
   Eigen::VectorXd tension;  // tension rate of each band at fixed length (bands)
-  Eigen::Matrix3Xd
-      node;  // velocity of each fixed node relative to its link, world axes; floating: 0 (3, nodes)
+  /// Velocity of each fixed node relative to its link, world axes; floating: 0 (3, nodes).
+  Eigen::Matrix3Xd node;
   Eigen::VectorXd radius;  // radius rate of each sphere, cylinder or capsule; others: 0 (surfaces)
 };
 

@@ -27,16 +27,16 @@ inline constexpr std::array kVerdictNames{EnumName{Verdict::kYes, "yes"},
 struct BandVerdict {
   std::string name;
   Verdict verdict = Verdict::kUndecided;
-  double evidence =
-      0;  // smallest chi^2 without the band minus the smallest with it, over inflation^2: > 0
-          // supports the band; infinite if no net without (or with) it carries the loads [1]
+  /// Smallest chi^2 without the band minus the smallest with it, over inflation^2: > 0 supports the
+  /// band; infinite if no net without (or with) it carries the loads [1].
+  double evidence = 0;
   bool converged = true;  // true: the fits behind the verdict reached their tolerance
   double EA = 0;          // stiffness in the best net, 0 where it lacks the band [N]
   double EA_sd = 0;  // standard deviation of log EA with the others free [1]; infinite if the data
                      // do not determine it
-  bool EA_determined =
-      false;  // true: the data constrain EA more than its bounds: EA_sd is below that of
-              // log EA uniform between them, log(max_EA / min_EA) / sqrt(12)
+  /// True: the data constrain EA more than its bounds: EA_sd is below that of log EA uniform
+  /// between them, log(max_EA / min_EA) / sqrt(12).
+  bool EA_determined = false;
 };
 
 /// Bands with dependent verdicts: the data require some of them, but not which.
@@ -47,10 +47,10 @@ struct BandGroup {
 
 /// Result of the inference of a net.
 struct [[nodiscard]] InferredNet {
-  bool found =
-      false;          // true: some topology carries all loads; false: other members are meaningless
-  Topology bands;     // best topology
-  double misfit = 0;  // chi^2 of the best topology [1]
+  /// True: some topology carries all loads; false: other members are meaningless.
+  bool found = false;
+  Topology bands;          // best topology
+  double misfit = 0;       // chi^2 of the best topology [1]
   bool converged = false;  // true: its fit reached its tolerance
   double residual = 0;     // largest out-of-balance force in the nets behind the verdicts [N]
   Eigen::Index rows = 0;   // number of fitted values

@@ -16,8 +16,8 @@ namespace thenar {
 
 /// Derivatives of the moment arms of one path.
 struct [[nodiscard]] ArmDerivatives {
-  bool exist =
-      true;  // false: the path is not taut, or touch points are not determined; dR is then zero
+  /// False: the path is not taut, or touch points are not determined; dR is then zero.
+  bool exist = true;
   Eigen::MatrixXd dR;  // d R_j / d q_k  [m/rad^2] (coordinates, coordinates)
 };
 

@@ -25,8 +25,8 @@ struct FitError {
   double length = 0;        // largest length error on the test grid [m]
   double arm = 0;           // largest error of any moment arm on the test grid [m/rad]
   double length_bound = 0;  // length error that also covers points between those of the grid [m]
-  double arm_bound =
-      0;  // moment-arm error that also covers points between those of the grid [m/rad]
+  /// Moment-arm error that also covers points between those of the grid [m/rad].
+  double arm_bound = 0;
 };
 
 /// Run between two points of a path, as a tensor product of Chebyshev polynomials
@@ -49,8 +49,8 @@ struct FittedPath {
 /// Length of a fitted path, with its moment arms.
 struct FittedLength {
   double length;  // [m]
-  Eigen::RowVectorXd
-      arms;  // moment arms -dL/dq, the exact gradient of the fit [m/rad] (coordinates)
+  /// Moment arms -dL/dq, the exact gradient of the fit [m/rad] (coordinates).
+  Eigen::RowVectorXd arms;
 };
 
 /// Interpolates every run at Chebyshev points and measures the error on an even, denser grid.
