@@ -82,7 +82,7 @@ struct HumanHand {
 /// Returns the default subject `human_hand`: the hand of [Mirakhorlo2016] with a calibrated thumb.
 [[nodiscard]] const Subject& default_human();
 
-// The same hand with a simpler thumb.
+// Human hand with a simpler thumb.
 
 /// Returns the subject with thumb axes as in machines: each through the joint's centre (see
 /// find_anatomy()), flexion about the radial direction square to the bone, abduction about the

@@ -138,7 +138,7 @@ class WrappedStrands : public StrandPaths {
   PathSet set_;
   Tree<double> tree_;
   Eigen::MatrixXd constant_;
-  std::vector<int> path_of_;    // of each strand; -1: constant arms
+  std::vector<int> path_of_;    // path of each strand; -1: constant arms
   std::vector<int> strand_of_;  // strand of each path; -1: it only carries another
 };
 

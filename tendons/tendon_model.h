@@ -178,7 +178,7 @@ template <typename T>
   for (std::size_t s = 0; s < model.paths.size(); ++s) {
     if (!model.paths[s].empty())
       R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
-    // Where derivatives are carried, they must not be lost at zero.
+    // Apply friction; on autodiff scalars also at zero, to keep its derivative.
     if (!std::is_same_v<T, double> || model.friction[s] != T(0))
       R.row(s) = R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
   }

@@ -103,11 +103,11 @@ PinchLosses parse_pinch_losses(const std::string& text, const std::string& path)
   losses.digit = top.text("digit");
   losses.path = path;
   losses.line = top.line();
-  // Read how people pinched.
+  // Read posture and direction of the pinch.
   std::optional<TomlTable> pinch = top.table("pinch");
   if (!pinch) top.fail("wanted [pinch]: posture, direction and tolerance, got none");
   read_pinch(*pinch, losses);
-  // Read what they lost.
+  // Read the measured losses.
   for (TomlTable& block : top.tables("block")) losses.blocks.push_back(read_block(block));
   if (losses.blocks.empty()) top.fail("wanted at least one [[block]], got none");
   top.done();

@@ -35,7 +35,7 @@ struct MuscleStates {
 struct MuscleTensions {
   Eigen::VectorXd tension;  // [N] (muscles)
   Eigen::VectorXd by_activation, by_length, by_velocity,
-      by_projected_fibre;  // of TensionDerivatives (muscles)
+      by_projected_fibre;  // as in TensionDerivatives (muscles)
 };
 
 /// Computes the tensions of all muscles of a contraction at once. It owns a workspace, which does

@@ -55,7 +55,7 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 /// Computes the length up to which tendon_force is 0, over the slack length [1].
 [[nodiscard]] double taut_tendon(double strain = kTendonStrain);
 
-// The same for many fibres at once, by exponentials of whole arrays: equal to the functions above
+// Curves of many fibres together, by exponentials of whole arrays: equal to the functions above
 // to rounding, about 1e-15 of F0, and faster. Room is used again.
 
 /// Force-length factors of many fibres.

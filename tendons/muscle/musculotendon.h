@@ -109,7 +109,7 @@ struct FibreRateDerivatives {
                                                const HillOptions& options, double activation,
                                                double length);
 
-// How fast a muscle follows its excitation.
+// Activation dynamics.
 
 /// Time constants of activation, of young adults. Source: [Thelen2003].
 struct ActivationTimes {

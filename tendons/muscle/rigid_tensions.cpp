@@ -83,7 +83,7 @@ class RigidTensions : public TensionSolver {
   }
 
   double damping_;  // damper beta [1]
-  // Of Musculotendon, and the sine of the pennation (muscles).
+  // Constants of the muscles, and the sines of their pennation (muscles).
   VectorXd F0_, slack_, sine_;
   VectorXd per_optimum_, per_top_;  // 1 / optimal length [1/m], 1 / largest speed [s/m] (muscles)
   VectorXd length_;                 // lengths of the cached fibres [m] (muscles)

@@ -41,7 +41,7 @@ class NetDescent {
 
   [[nodiscard]] int rows() const { return plan_.pattern.size(); }
 
-  // From the start to equilibrium.
+  // Placement of the nodes, and descent to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
   void accept();
@@ -51,7 +51,7 @@ class NetDescent {
                    const Eigen::Matrix3Xd* start, int patience);
   NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
-  // Contact forces on nodes, and what is left out of balance.
+  // Contact forces on nodes, and the residual.
   [[nodiscard]] double wrap_slop(int k, int surface) const;
   [[nodiscard]] double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();

@@ -32,7 +32,7 @@ struct NetPlan {
   std::vector<int> row;         // row of each node; -1: not free
   std::vector<int> node;        // node of each row
   std::vector<BandPlan> bands;  // in the order of the net's bands
-  /// Of each row: bands that end there and bend over a bone.
+  /// Bands that end at the node of each row and bend over a bone.
   std::vector<std::vector<int>> wrapping_bands;
 };
 

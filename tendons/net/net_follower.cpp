@@ -52,7 +52,7 @@ NetFollower::NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here
 
 void NetFollower::reach(const PostureAndLoad& to) {
   if (asked_.q.size() > 0 && asked_.q == to.q && asked_.load == to.load) return;
-  asked_ = {};  // in case the search throws
+  asked_ = {};  // cleared in case the search throws
   reached_ = way_to(to);
   asked_ = to;
 }

@@ -24,7 +24,7 @@ constexpr int kMaxReturns = 10;  // returns of a node to its start after which r
 /// Node that may be in contact with a bone, with its friction.
 struct FrictionNode {
   int node;
-  Vector3d start_position;  // where it started [m] (3)
+  Vector3d start_position;  // position at its start [m] (3)
   bool sticks = false;      // true: held at its start
   double pull = 0;          // tension of its band while it slips [N]
   Vector3d n{0, 0, 0};      // normal of the contact (3)
