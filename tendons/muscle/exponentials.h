@@ -16,8 +16,7 @@ namespace thenar {
 /// x = k log 2 + r,  |r| <= log(2) / 2;  exp(r) by Taylor's series to r^13, whose remainder is
 /// below 4e-18;  2^k from its bits.
 inline void exponentials(Eigen::Ref<Eigen::VectorXd> x) {
-  constexpr double kRound =
-      6755399441055744.0;  // 1.5 2^52: a sum has its integer part in the lowest bits
+  constexpr double kRound = 6755399441055744.0;  // 1.5 2^52: rounds to integers in the low bits
   constexpr double kPerLog2 = 1.4426950408889634;
   // log 2 in two parts; k times the first has no rounding.
   constexpr double kHigh = 6.93147180369123816490e-01, kLow = 1.90821492927058770002e-10;

@@ -56,7 +56,7 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 [[nodiscard]] double taut_tendon(double strain = kTendonStrain);
 
 // Curves of many fibres together, by exponentials of whole arrays: equal to the functions above
-// to rounding, about 1e-15 of F0, and faster. Room is used again.
+// to rounding, about 1e-15 of F0, and faster. Memory is reused.
 
 /// Force-length factors of many fibres.
 struct LengthForces {
