@@ -24,12 +24,12 @@ constexpr int kMaxReturns = 10;  // returns of a node to its start after which r
 /// Node that may be in contact with a bone, with its friction.
 struct FrictionNode {
   int node;
-  Vector3d start_position;  // position at its start [m] (3)
-  bool sticks = false;      // true: held at its start
-  double pull = 0;          // tension of its band while it slips [N]
-  Vector3d n{0, 0, 0};      // normal of the contact (3)
-  double normal = 0;        // normal force of the bone [N]
-  Vector3d f{0, 0, 0};      // friction force of the bone, along the surface [N] (3)
+  Vector3d start;       // position at its start [m] (3)
+  bool sticks = false;  // true: held at its start
+  double pull = 0;      // tension of its band while it slips [N]
+  Vector3d n{0, 0, 0};  // normal of the contact (3)
+  double normal = 0;    // normal force of the bone [N]
+  Vector3d f{0, 0, 0};  // friction force of the bone, along the surface [N] (3)
   int returns = 0;
 };
 
@@ -74,16 +74,16 @@ class FrictionRounds {
       // Place the node, and test for contact.
       Vector3d x = moved(state_, node.link, node.p);
       if (start && node.free) x = start->col(i);
-      FrictionNode node_friction{i, x};
+      FrictionNode friction{i, x};
       for (int s : node.free ? node.surfaces : std::vector<int>{}) {
         const BoneSurface& bone = net_.surfaces[s];
         if (probe_at(s, x).gap < 0) x = frame(s) * nearest_point(bone, frame(s).inverse() * x);
-        node_friction.sticks |= probe_at(s, x).gap < kOnBoneGap;
+        friction.sticks |= probe_at(s, x).gap < kOnBoneGap;
       }
       // Let nodes in contact stick at first.
-      node_friction.start_position = x;
-      node_friction.sticks = node_friction.sticks && mu_ > 0;
-      if (node.free && !node.surfaces.empty()) friction_nodes_.push_back(node_friction);
+      friction.start = x;
+      friction.sticks = friction.sticks && mu_ > 0;
+      if (node.free && !node.surfaces.empty()) friction_nodes_.push_back(friction);
       x_.col(i) = x;
     }
   }
@@ -97,23 +97,21 @@ class FrictionRounds {
       start.conservativeResize(3, start.cols() + 1);
       start.col(start.cols() - 1) = p;
     };
-    for (const FrictionNode& node_friction : friction_nodes_) {
+    for (const FrictionNode& friction : friction_nodes_) {
       // Fix a sticking node in space.
-      NetNode& node = net.nodes[node_friction.node];
-      if (node_friction.sticks)
-        node.free = false, node.link = -1, node.p = node_friction.start_position;
-      if (node_friction.sticks || node_friction.pull <= 0) continue;
+      NetNode& node = net.nodes[friction.node];
+      if (friction.sticks) node.free = false, node.link = -1, node.p = friction.start;
+      if (friction.sticks || friction.pull <= 0) continue;
       // Pull a slipping node back by a band of constant tension.
-      NetBand band{"friction of " + node.name, node_friction.node,
-                   static_cast<int>(net.nodes.size())};
+      NetBand band{"friction of " + node.name, friction.node, static_cast<int>(net.nodes.size())};
       band.muscle = static_cast<int>(net.muscles.size());
       net.muscles.push_back(band.name);
       net.bands.push_back(band);
-      net.nodes.push_back({band.name, false, -1, node_friction.start_position, {}});
-      add_column(node_friction.start_position);
+      net.nodes.push_back({band.name, false, -1, friction.start, {}});
+      add_column(friction.start);
       drive.tension.conservativeResize(drive.tension.size() + 1);
       drive.length.conservativeResize(drive.tension.size());
-      drive.tension.tail<1>()(0) = node_friction.pull;
+      drive.tension.tail<1>()(0) = friction.pull;
       drive.length.tail<1>()(0) = std::nan("");
     }
     out_.rest = NetSolver(net, options_.solver).solve(state_, drive, &start);
@@ -157,102 +155,96 @@ class FrictionRounds {
   bool update_friction() {
     out_.change = 0;
     bool switched = false;
-    for (FrictionNode& node_friction : friction_nodes_)
-      switched |=
-          node_friction.sticks ? starts_to_slip(node_friction) : returns_to_start(node_friction);
+    for (FrictionNode& friction : friction_nodes_)
+      switched |= friction.sticks ? starts_to_slip(friction) : returns_to_start(friction);
     return switched;
   }
 
   /// Computes the bone's force on a sticking node, and returns whether it exceeds friction, so that
   /// the node starts to slip.
-  bool starts_to_slip(FrictionNode& node_friction) {
+  bool starts_to_slip(FrictionNode& friction) {
     // Compute the force that the bone must balance.
-    const Vector3d f = band_force_on(node_friction.node);
-    node_friction.normal = 0;
-    node_friction.f = -f;
-    node_friction.n.setZero();
+    const Vector3d f = band_force_on(friction.node);
+    friction.normal = 0;
+    friction.f = -f;
+    friction.n.setZero();
     // Take the normal force on the surface that is pressed most.
-    for (int s : net_.nodes[node_friction.node].surfaces) {
-      const SurfaceProbe seen = probe_at(s, node_friction.start_position);
-      if (seen.gap > kOnBoneGap || -f.dot(seen.normal) <= node_friction.normal) continue;
-      node_friction.normal = -f.dot(seen.normal);
-      node_friction.n = seen.normal;
-      node_friction.f = -(f + node_friction.normal * node_friction.n);
+    for (int s : net_.nodes[friction.node].surfaces) {
+      const SurfaceProbe seen = probe_at(s, friction.start);
+      if (seen.gap > kOnBoneGap || -f.dot(seen.normal) <= friction.normal) continue;
+      friction.normal = -f.dot(seen.normal);
+      friction.n = seen.normal;
+      friction.f = -(f + friction.normal * friction.n);
     }
     // Keep sticking within the friction cone.
-    if (node_friction.f.norm() <= mu_ * node_friction.normal * (1 + 1e-12)) return false;
+    if (friction.f.norm() <= mu_ * friction.normal * (1 + 1e-12)) return false;
     // Otherwise start to slip, against the friction force.
-    node_friction.sticks = false;
-    node_friction.pull = mu_ * node_friction.normal;
-    x_.col(node_friction.node) -= kNudgeDistance * node_friction.f.normalized();
+    friction.sticks = false;
+    friction.pull = mu_ * friction.normal;
+    x_.col(friction.node) -= kNudgeDistance * friction.f.normalized();
     return true;
   }
 
   /// Computes the bone's force on a slipping node, and returns whether the node is back at its
   /// start. Its band runs obliquely into the bone: of its pull t, t cos(angle) = mu N is friction,
   /// and t sin(angle) is part of the bone's normal force.
-  bool returns_to_start(FrictionNode& node_friction) {
-    const Vector3d way = node_friction.start_position - x_.col(node_friction.node);
+  bool returns_to_start(FrictionNode& friction) {
+    const Vector3d way = friction.start - x_.col(friction.node);
     // Sum normal force and normal over the contacts.
     double pressed = 0;
-    node_friction.n.setZero();
+    friction.n.setZero();
     for (const NetContact& contact : out_.rest.contacts)
-      if (contact.node == node_friction.node && contact.force > 0) {
+      if (contact.node == friction.node && contact.force > 0) {
         pressed += contact.force;
-        node_friction.n += contact.force * contact.normal;
+        friction.n += contact.force * contact.normal;
       }
     // Let a node back at its start stick, unless it has returned too often.
-    if (node_friction.pull > 0 && way.norm() < kReturnDistance) {
-      node_friction.sticks = ++node_friction.returns <= kMaxReturns;
-      x_.col(node_friction.node) = node_friction.start_position;
+    if (friction.pull > 0 && way.norm() < kReturnDistance) {
+      friction.sticks = ++friction.returns <= kMaxReturns;
+      x_.col(friction.node) = friction.start;
       return true;
     }
     // Compute friction along the surface, and the normal force without the band's part.
     const Vector3d u = way.norm() > 0 ? Vector3d(way.normalized()) : Vector3d::Zero();
-    if (pressed > 0) node_friction.n.normalize();
-    const double into = -u.dot(node_friction.n), along = (u + into * node_friction.n).norm();
-    node_friction.normal = std::max(pressed - node_friction.pull * into, 0.0);
-    node_friction.f = node_friction.pull * (u + into * node_friction.n);
+    if (pressed > 0) friction.n.normalize();
+    const double into = -u.dot(friction.n), along = (u + into * friction.n).norm();
+    friction.normal = std::max(pressed - friction.pull * into, 0.0);
+    friction.f = friction.pull * (u + into * friction.n);
     // Set the pull required by Coulomb's law.
-    const double wanted = along > 0 ? mu_ * node_friction.normal / along : 0;
-    out_.change = std::max(out_.change, std::abs(wanted - node_friction.pull));
-    node_friction.pull = wanted;
+    const double wanted = along > 0 ? mu_ * friction.normal / along : 0;
+    out_.change = std::max(out_.change, std::abs(wanted - friction.pull));
+    friction.pull = wanted;
     return false;
   }
 
   [[nodiscard]] bool has_cycled() const {
-    return any_of(friction_nodes_, [](const FrictionNode& node_friction) {
-      return node_friction.returns > kMaxReturns;
-    });
+    return any_of(friction_nodes_,
+                  [](const FrictionNode& friction) { return friction.returns > kMaxReturns; });
   }
 
   /// Reports the forces of bones on nodes, in place of contacts that include the pull of friction
   /// bands.
   void report() {
-    for (const FrictionNode& node_friction : friction_nodes_) {
+    for (const FrictionNode& friction : friction_nodes_) {
       // Report nodes under a normal force.
-      if (node_friction.normal <= 0) continue;
-      const double slip = (node_friction.start_position - x_.col(node_friction.node)).norm();
-      out_.nodes.push_back(
-          {node_friction.node, node_friction.sticks, node_friction.normal, node_friction.f, slip});
+      if (friction.normal <= 0) continue;
+      const double slip = (friction.start - x_.col(friction.node)).norm();
+      out_.nodes.push_back({friction.node, friction.sticks, friction.normal, friction.f, slip});
       // Correct the contact to the normal force without friction.
       auto& contacts = out_.rest.contacts;
-      const auto mine = [&](const NetContact& contact) {
-        return contact.node == node_friction.node;
-      };
+      const auto mine = [&](const NetContact& contact) { return contact.node == friction.node; };
       const auto first = std::find_if(contacts.begin(), contacts.end(), mine);
       if (first == contacts.end())
-        contacts.push_back(
-            {node_friction.node, surface_of(node_friction), node_friction.normal, node_friction.n});
+        contacts.push_back({friction.node, surface_of(friction), friction.normal, friction.n});
       else if (std::count_if(contacts.begin(), contacts.end(), mine) == 1)
-        first->force = node_friction.normal;
+        first->force = friction.normal;
     }
   }
 
   /// Returns the surface on which a node sticks.
-  [[nodiscard]] int surface_of(const FrictionNode& node_friction) const {
-    for (int s : net_.nodes[node_friction.node].surfaces)
-      if (probe_at(s, node_friction.start_position).normal == node_friction.n) return s;
+  [[nodiscard]] int surface_of(const FrictionNode& friction) const {
+    for (int s : net_.nodes[friction.node].surfaces)
+      if (probe_at(s, friction.start).normal == friction.n) return s;
     return -1;
   }
 
