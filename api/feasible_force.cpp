@@ -265,7 +265,7 @@ void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPostur
     const CoordinateLimits& range =
         digit.bones().skeleton.limits[static_cast<std::size_t>(stop.coordinate)];
     // A positive torque flexes: that stop acts at the end of extension, the lower one.
-    const double end = stop.most > 0 ? range.lower : range.upper, now = at.q[stop.coordinate];
+    const double end = stop.max_torque > 0 ? range.lower : range.upper, now = at.q[stop.coordinate];
     const bool turns = range.upper - range.lower >= 2 * kPi - kAtTheEnd;  // no range is known
     if (!turns && std::abs(now - end) > kAtTheEnd)
       at.warnings.push_back(fmt::format(
@@ -282,7 +282,7 @@ std::vector<StopTorque> stop_answers(const HeldJoints& held, const DigitAtPostur
   for (std::size_t k = 0; k < held.stops.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     answers.push_back({at.rows[static_cast<std::size_t>(held.stops[k].coordinate)],
-                       found.stop_torque[i], held.stops[k].most,
+                       found.stop_torque[i], held.stops[k].max_torque,
                        found.stop_price.size() > 0 ? found.stop_price[i] : kNaN});
   }
   return answers;

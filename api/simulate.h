@@ -30,10 +30,10 @@ struct DigitMotionRequest {
                                                // as the subject says
   Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, subject's frame [m/s^2] (3)
   double damping = JointResistance().damping;  // where the subject states none [N m s/rad]
-  double blend = kBlend;    // strain over which bands of a net go from slack to taut [1]
-  double seconds = 1;       // duration [s]
-  double sample = 5e-3;     // time between stored instants [s]
-  double tolerance = 1e-6;  // relative error of one step [1]
+  double blend = kBlendStrain;  // strain over which bands of a net go from slack to taut [1]
+  double seconds = 1;           // duration [s]
+  double sample = 5e-3;         // time between stored instants [s]
+  double tolerance = 1e-6;      // relative error of one step [1]
 };
 
 /// A digit in motion.

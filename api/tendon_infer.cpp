@@ -38,7 +38,7 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
   std::vector<BandEnds> ends;
   const std::vector<NetNode>& nodes = net.nodes;
   for (const std::string& name : bands) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(band_named(net, name))];
+    const NetBand& band = net.bands[static_cast<std::size_t>(band_index(net, name))];
     ends.push_back({nodes[static_cast<std::size_t>(band.a)].name,
                     nodes[static_cast<std::size_t>(band.b)].name});
   }
@@ -103,7 +103,7 @@ void infer_by_selection(const InferenceCase& at, int propose, const Progress& pr
   // Rank the tests by how differently the remaining nets would answer.
   NetForwardModel forecast(at.candidate, at.pool);
   answer.next =
-      proposed(rank_tests(forecast, at.pool, nets, fitter.typical(), noise), at.pool, propose);
+      proposed(rank_tests(forecast, at.pool, nets, fitter.typical_EA(), noise), at.pool, propose);
 }
 
 void infer_by_search(const InferenceCase& at, const InferNetRequest& request,

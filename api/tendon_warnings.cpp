@@ -21,12 +21,12 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
   // A ratio of slack slips means nothing.
   const SlipTension& slips = point.pull.slips;
   if (loaded.net() == nullptr || !trusted(point.pull.status) ||
-      slips.central + slips.terminal < kTaut)
+      slips.central + slips.terminal < kTautTension)
     return "";
   if (slips.terminal >= kMinRatio * slips.central && slips.terminal <= kMaxRatio * slips.central)
     return "";
   // Skip rounding errors of slack tendons.
-  const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
+  const auto taut = [](double tension) { return tension > kTautTension ? tension : 0; };
   const double terminal = taut(slips.terminal), central = taut(slips.central);
   return fmt::format(
       "terminal slip {0:.4g} N, central slip {1:.4g} N{2}; published ratios of terminal to central "

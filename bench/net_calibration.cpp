@@ -113,7 +113,8 @@ PostureAndLoad at_pull(const NetTendons& tendons, const Pull& pull) {
 /// Slips of the net on a finger under a pull.
 SlipTension slips_under(const NetTendons& tendons, const Pull& pull) {
   const PostureAndLoad at = at_pull(tendons, pull);
-  const NetEquilibrium rest = tendons.rest(at.q, at.load, start_from_straight(tendons, at.q, at.load));
+  const NetEquilibrium rest =
+      tendons.rest(at.q, at.load, start_from_straight(tendons, at.q, at.load));
   if (rest.status != NetStatus::kBalanced) return {NAN, NAN, NAN, NAN};
   return slip_tension(tendons.net(), rest);
 }
@@ -179,7 +180,7 @@ double reference_length(const NetDescription& plan, const NetBandPlan& band) {
   const FingerFrame frame = reference_finger(plan);
   const auto at = [&](const std::string& name) {
     for (const NetNodePlan& node : plan.nodes)
-      if (node.name == name) return point_of(frame, node.place);
+      if (node.name == name) return place_position(frame, node.place);
     throw InputError("no node " + name);
   };
   return (at(band.from) - at(band.to)).norm();

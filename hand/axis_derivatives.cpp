@@ -11,7 +11,7 @@ bool moves(const Tree<double>& tree, int i, int j) {
   return i == j;
 }
 
-/// The hinge in question with everything that its turn needs.
+/// Hinge whose axis varies, with the data of its rotation.
 class MovedAxis {
  public:
   explicit MovedAxis(const AxisQuestion& question)
@@ -23,17 +23,17 @@ class MovedAxis {
     if (hinge_.parent >= 0) R_parent_ = question.state[hinge_.parent].X.R;
   }
 
-  /// Derivative of a point beyond the hinge.
+  /// Computes the derivative of a point beyond the hinge.
   [[nodiscard]] ByAxis point(const Eigen::Vector3d& x) const {
     ByAxis D = direction(x - state_.point);
     D.rightCols<3>() = R_parent_ - state_.X.R;
     return D;
   }
 
-  /// Derivative of a direction beyond the hinge.
+  /// Computes the derivative of a direction beyond the hinge.
   [[nodiscard]] ByAxis direction(const Eigen::Vector3d& now) const {
     const Eigen::Vector3d& d = hinge_.direction;
-    // Derivative of Rodrigues' formula by a tilt of the axis.
+    // Differentiate Rodrigues' formula by a tilt of the axis.
     const Eigen::Vector3d v = state_.X.R.transpose() * now;
     const auto tilt = [&](const Eigen::Vector3d& e) -> Eigen::Vector3d {
       return R_parent_ * (std::sin(angle_) * e.cross(v) +
@@ -44,9 +44,9 @@ class MovedAxis {
     return D;
   }
 
-  /// Derivative of the present direction of hinge j.
+  /// Computes the derivative of the present direction of hinge j.
   [[nodiscard]] ByAxis axis_of(int j) const {
-    // Hinges nearer the base do not move; those beyond move as directions do.
+    // Return zero for hinges nearer the base; those beyond move as directions do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
     if (j != question_.hinge) return direction(question_.state[j].axis);
     ByAxis D;
@@ -54,9 +54,9 @@ class MovedAxis {
     return D;
   }
 
-  /// Derivative of the present point of hinge j.
+  /// Computes the derivative of the present point of hinge j.
   [[nodiscard]] ByAxis point_of(int j) const {
-    // Hinges nearer the base do not move; those beyond move as points do.
+    // Return zero for hinges nearer the base; those beyond move as points do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
     if (j != question_.hinge) return point(question_.state[j].point);
     ByAxis D = ByAxis::Zero();
@@ -68,7 +68,7 @@ class MovedAxis {
   const AxisQuestion& question_;
   const Hinge<double>& hinge_;
   const LinkState<double>& state_;
-  double angle_;  // [rad]
+  double angle_;  // angle of the hinge [rad]
   Tangents tangents_;
   Eigen::Matrix3d R_parent_ = Eigen::Matrix3d::Identity();
 };
@@ -86,10 +86,10 @@ std::vector<ByAxis> position_jacobian_by_axis(const AxisQuestion& question, int 
   const Tree<double>& tree = question.tree;
   if (!moves(tree, question.hinge, link)) return result;
 
-  // Motion of the point by the axis.
+  // Compute the derivative of the point.
   const MovedAxis moved_axis(question);
   const ByAxis dx = moved_axis.point(x);
-  // Product rule over axis, point of the hinge and point of the link.
+  // Apply the product rule over axis, point of the hinge and point of the link.
   for_each_hinge_to_base(tree, link, [&](int j) {
     const LinkState<double>& own = question.state[j];
     const ByAxis d_axis = moved_axis.axis_of(j), d_point = moved_axis.point_of(j);

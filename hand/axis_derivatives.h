@@ -1,6 +1,6 @@
 #pragma once
 
-/// Derivatives of kinematics by the placement of one hinge's axis, in closed form.
+/// Derivatives of kinematics by the position and direction of one hinge's axis, in closed form.
 
 #include <utility>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace thenar {
 
-/// Derivative of a position by the five parameters of an axis (3, 5): columns are the tilts of
-/// the direction along tangents() e1 and e2 [m/rad], then x, y, z of its point [m/m].
+/// Derivative of a position by the five parameters of an axis (3, 5): columns are the tilts of the
+/// direction along tangents() e1 and e2 [m/rad], then x, y, z of its point [m/m].
 using ByAxis = Eigen::Matrix<double, 3, 5>;
 
-/// One hinge of a posed tree whose axis is the variable. Refers to the tree and its state, which
-/// must outlive it; temporaries are refused.
+/// Hinge of a posed tree whose axis is the variable. Refers to the tree and its state, which must
+/// outlive it; temporaries are rejected.
 struct AxisQuestion {
   AxisQuestion(const Tree<double>& of_tree, const TreeState<double>& at, Eigen::VectorXd posture,
                int moved_hinge)
@@ -27,28 +27,29 @@ struct AxisQuestion {
 
   const Tree<double>& tree;
   const TreeState<double>& state;  // pose_tree(tree, q)
-  Eigen::VectorXd q;               // (coordinates) [rad]
-  int hinge;                       // its axis is the variable
+  Eigen::VectorXd q;               // posture [rad] (coordinates)
+  int hinge;                       // index of the hinge whose axis varies
 };
 
-/// d x / d axis of a point of a link. With P the parent of the hinge, R its own turn by angle a,
-/// d its direction, and v from its point to x before the turn:
+/// Computes d x / d axis of a point of a link. With P the parent of the hinge, R its own rotation
+/// by angle a, d its direction, and v the vector from its point to x before the rotation:
 ///   d x / d point  = R_P (I - R)
 ///   d x / d tilt e = R_P (sin a  e x v + (1 - cos a) (e (d'v) + d (e'v)))
 /// Zero if the hinge does not move the link. A shift of the point along d changes nothing.
-/// @param x  the point where it is now [m] (3)
+/// @param x  present position of the point [m] (3)
 [[nodiscard]] ByAxis position_by_axis(const AxisQuestion& question, int link,
                                       const Eigen::Vector3d& x);
 
-/// d (J column) / d axis of the position Jacobian of a point of a link, one entry per coordinate
-/// [m/rad per parameter]. Columns are  axis x (x - point); each of the three may change.
-/// @param x  the point where it is now [m] (3)
+/// Computes d (J column) / d axis of the position Jacobian of a point of a link, one entry per
+/// coordinate [m/rad per parameter]. Columns are  axis x (x - point);  all three vectors may
+/// change.
+/// @param x  present position of the point [m] (3)
 [[nodiscard]] std::vector<ByAxis> position_jacobian_by_axis(const AxisQuestion& question, int link,
                                                             const Eigen::Vector3d& x);
 
-/// d (J column) / d axis of the rotation Jacobian of a link, one entry per coordinate
-/// [1/rad for tilts, 1/m for the point]. Columns are  axis; a direction beyond the hinge tilts as
-/// a point does, the hinge's own direction d as  R_P e,  and no shift of the point turns anything.
+/// Computes d (J column) / d axis of the rotation Jacobian of a link, one entry per coordinate
+/// [1/rad for tilts, 1/m for the point]. Columns are  axis;  a direction beyond the hinge tilts as
+/// a point does, the hinge's own direction d as  R_P e,  and a shift of the point has no effect.
 [[nodiscard]] std::vector<ByAxis> rotation_jacobian_by_axis(const AxisQuestion& question, int link);
 
 }  // namespace thenar

@@ -9,10 +9,10 @@ namespace thenar {
 /// Sine below which two axes count as parallel: 0.06 degrees [1].
 inline constexpr double kParallel = 1e-3;
 
-/// Square of the length of the common normal of two hinges in the reference posture [m^2],
+/// Computes the squared length of the common normal of two hinges in the reference posture [m^2],
 ///   d^2 = ((w . n)^2 + e^2 |w_perp|^2) / (|n|^2 + e^2),   n = a x b,  w = q - p,  e = kParallel,
-/// which turns smoothly into the perpendicular distance |w_perp| where axes become parallel and
-/// the common normal loses its direction. The square has derivatives also where axes meet.
+/// which changes smoothly into the perpendicular distance |w_perp| where axes become parallel and
+/// the common normal loses its direction. The square is differentiable also where axes meet.
 /// @param first   hinge with axis through p along a, |a| = 1  [m], [1]
 /// @param second  hinge with axis through q along b, |b| = 1  [m], [1]
 /// @return        d^2, not negative [m^2]

@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// One hinge of the tree; the link it moves has the same index.
+/// Hinge of the tree; the link that it moves has the same index.
 template <typename T>
 struct Hinge {
   int parent;         // hinge that moves the parent link; -1: the base
@@ -26,12 +26,12 @@ struct Hinge {
   Vec3<T> point;      // any point of the axis, reference posture [m] (3)
 };
 
-/// A link after a motion: its displacement from the reference posture, and its hinge now.
+/// Link after a motion: its displacement from the reference posture, and its present hinge.
 template <typename T>
 struct LinkState {
-  Pose<T> X;      // displacement of the link's points
+  Pose<T> X;      // displacement of the link's points from the reference posture
   Vec3<T> axis;   // unit direction of the hinge that moves it (3)
-  Vec3<T> point;  // a point of that hinge [m] (3)
+  Vec3<T> point;  // any point of that hinge's axis [m] (3)
 };
 
 template <typename T>
@@ -39,9 +39,10 @@ using Tree = std::vector<Hinge<T>>;
 template <typename T>
 using TreeState = std::vector<LinkState<T>>;
 
-/// Forward kinematics: poses every link, written over `state`, whose room is used again.
+/// Computes forward kinematics: the pose of every link, written into `state`, whose memory is
+/// reused.
 /// @param tree  hinges, parents before children
-/// @param q     coordinates, anything indexable [rad]
+/// @param q     coordinates, any indexable type [rad]
 template <typename T, typename Q>
 void pose_tree_over(const Tree<T>& tree, const Q& q, TreeState<T>& state) {
   state.resize(tree.size());
@@ -74,7 +75,8 @@ template <typename T, typename Q>
   return state;
 }
 
-/// Present place of a point of link `link` (-1: the base).
+/// Computes the present position of a point of link `link` (-1: the base) [m] (3).
+/// @param p  position at the reference posture [m] (3)
 template <typename T>
 [[nodiscard]] Vec3<T> moved(const TreeState<T>& state, int link, const Vec3<T>& p) {
   return link < 0 ? p : Vec3<T>(state[link].X * p);
@@ -86,8 +88,8 @@ void for_each_hinge_to_base(const Tree<T>& tree, int link, Visit visit) {
   for (int i = link; i >= 0; i = tree[i].parent) visit(i);
 }
 
-/// Position Jacobian of a point of a link:  d p / d q,  3 x coordinates [m/rad].
-/// @param p  the point where it is now [m] (3)
+/// Computes the position Jacobian of a point of a link,  d p / d q,  3 x coordinates [m/rad].
+/// @param p  present position of the point [m] (3)
 template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> position_jacobian(const Tree<T>& tree,
                                                                     const TreeState<T>& state,
@@ -101,7 +103,7 @@ template <typename T>
   return J;
 }
 
-/// Rotation Jacobian of a link: angular velocity = J q_dot, 3 x coordinates [1].
+/// Computes the rotation Jacobian of a link: angular velocity = J q_dot, 3 x coordinates [1].
 template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> rotation_jacobian(const Tree<T>& tree,
                                                                     const TreeState<T>& state,
@@ -113,7 +115,7 @@ template <typename T>
   return J;
 }
 
-/// Spatial Jacobian of a point of a link, rotation above translation: 6 x coordinates.
+/// Computes the spatial Jacobian of a point of a link, rotation above translation: 6 x coordinates.
 template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 6, Eigen::Dynamic> spatial_jacobian(const Tree<T>& tree,
                                                                    const TreeState<T>& state,

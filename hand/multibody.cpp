@@ -30,13 +30,13 @@ Eigen::MatrixXd to_eigen(const SimTK::Matrix& m) {
   });
 }
 
-/// A frame whose z axis, about which a pin turns, is the hinge.
+/// Computes a frame whose z axis, about which a pin turns, is the hinge.
 SimTK::Transform hinge_frame(const Hinge<double>& hinge) {
   const SimTK::UnitVec3 z(to_simbody(hinge.direction));
   return {SimTK::Rotation(z, SimTK::ZAxis), to_simbody(hinge.point)};
 }
 
-/// A body whose frame is the base frame at the reference posture.
+/// Builds a body whose frame is the base frame at the reference posture.
 SimTK::Body::Rigid rigid_body(const LinkMass& body) {
   if (body.mass == 0)
     return SimTK::Body::Rigid(SimTK::MassProperties(0, SimTK::Vec3(0), SimTK::Inertia(0)));
@@ -62,7 +62,7 @@ std::vector<bool> carries_mass(const Skeleton& skeleton) {
 
 struct Multibody::Parts {
   Parts(Skeleton s, Passive p) : skeleton(std::move(s)), passive(p), matter(system) {
-    // Pins first, then couplings between them.
+    // Add the pins, then couplings between them.
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i)
       add_pin(skeleton.tree[i], skeleton.masses[i]);
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i) couple(static_cast<int>(i));
@@ -71,38 +71,40 @@ struct Multibody::Parts {
     map_coordinates();
   }
 
+  /// Adds a body on a pin joint.
   void add_pin(const Hinge<double>& hinge, const LinkMass& mass) {
     const SimTK::Transform X = hinge_frame(hinge);
     SimTK::MobilizedBody& parent = matter.updMobilizedBody(body(hinge.parent));
     SimTK::MobilizedBody::Pin(parent, X, rigid_body(mass), X);
   }
 
+  /// Returns whether a hinge turns by its coordinate itself, rather than as a follower.
   [[nodiscard]] bool leads(int i) const {
     return skeleton.hinge_names[i] == skeleton.coordinate_names[skeleton.tree[i].coordinate];
   }
 
-  /// 0 = ratio * leader - follower + offset.
+  /// Adds the constraint of a follower,  0 = ratio * leader - follower + offset.
   void couple(int i) {
     if (leads(i)) return;
     const Hinge<double>& hinge = skeleton.tree[i];
-    // The hinge that turns by the coordinate itself.
+    // Find the hinge that turns by the coordinate itself.
     int leader = 0;
     while (skeleton.tree[leader].coordinate != hinge.coordinate || !leads(leader)) ++leader;
-    // A linear constraint between both pin angles.
+    // Add a linear constraint between both pin angles.
     const SimTK::Array_<SimTK::MobilizedBodyIndex> bodies{body(leader), body(i)};
     const SimTK::Array_<SimTK::MobilizerQIndex> angles(2, SimTK::MobilizerQIndex(0));
     const SimTK::Vector coefficients(SimTK::Vec3(hinge.ratio, -1, hinge.offset));
     SimTK::Constraint::CoordinateCoupler(matter, new SimTK::Function::Linear(coefficients), bodies,
-                                         angles);  // which owns the function
+                                         angles);  // owns the function
   }
 
-  /// Pin angles are  N q + offset, in Simbody's order of the pins.
+  /// Maps coordinates to pin angles,  N q + offset,  in Simbody's order of the pins.
   void map_coordinates() {
     const auto hinges = static_cast<Eigen::Index>(skeleton.tree.size());
     N = Eigen::MatrixXd::Zero(hinges, skeleton.coordinates());
     offset = Eigen::VectorXd::Zero(hinges);
     leader_of.assign(skeleton.coordinates(), 0);
-    // Rows in Simbody's order.
+    // Fill the rows in Simbody's order.
     for (Eigen::Index i = 0; i < hinges; ++i) {
       const Hinge<double>& hinge = skeleton.tree[i];
       const int row = matter.getMobilizedBody(body(static_cast<int>(i))).getFirstUIndex(state);
@@ -112,6 +114,7 @@ struct Multibody::Parts {
     }
   }
 
+  /// Returns Simbody's index of a link.
   static SimTK::MobilizedBodyIndex body(int link) { return SimTK::MobilizedBodyIndex(link + 1); }
 
   void require_length(const char* name, const Eigen::Ref<const Eigen::VectorXd>& v) const {
@@ -124,12 +127,14 @@ struct Multibody::Parts {
     require(link >= -1 && link < links, "no link {}; there are {}", link, links);
   }
 
+  /// Sets the posture.
   void set(const Eigen::Ref<const Eigen::VectorXd>& q) {
     require_length("q", q);
     state.updQ() = to_simbody(Eigen::VectorXd(N * q + offset));
     system.realize(state, SimTK::Stage::Position);
   }
 
+  /// Sets posture and speeds.
   void set(const JointMotion& motion) {
     set(motion.q);
     require_length("q_dot", motion.q_dot);
@@ -137,7 +142,8 @@ struct Multibody::Parts {
     system.realize(state, SimTK::Stage::Velocity);
   }
 
-  /// Weights need mass only; motion needs its spread, too.
+  /// Throws unless the inertia of every link is known, which dynamics needs; weights need mass
+  /// only.
   void require_inertia() const {
     for (const LinkMass& link : skeleton.masses)
       require(link.segment_without_inertia.empty(),
@@ -145,17 +151,17 @@ struct Multibody::Parts {
               link.segment_without_inertia);
   }
 
-  /// Weights and forces on every body, moved to its origin.
+  /// Computes weights and forces on every body, about its origin.
   [[nodiscard]] SpatialVectors body_forces(const Loads& loads) const {
     SpatialVectors F(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
     const auto add = [&](int link, const Eigen::Vector3d& p, const Eigen::Vector3d& f_W) {
       matter.getMobilizedBody(body(link))
           .applyForceToBodyPoint(state, to_simbody(p), to_simbody(f_W), F);
     };
-    // Weights at the centres of mass.
+    // Add weights at the centres of mass.
     for (std::size_t i = 0; i < skeleton.masses.size(); ++i)
       add(static_cast<int>(i), skeleton.masses[i].com, skeleton.masses[i].mass * loads.gravity);
-    // Forces at their points.
+    // Add forces at their points.
     for (const PointForce& force : loads.forces) {
       require_link(force.link);
       add(force.link, force.p, force.f_W);
@@ -163,6 +169,7 @@ struct Multibody::Parts {
     return F;
   }
 
+  /// Computes the torque of springs and dampers.
   [[nodiscard]] Eigen::VectorXd passive_torque(const JointMotion& motion) const {
     Eigen::VectorXd tau = Eigen::VectorXd::Zero(skeleton.coordinates());
     if (passive == Passive::kOff) return tau;
@@ -178,7 +185,7 @@ struct Multibody::Parts {
   SimTK::SimbodyMatterSubsystem matter;
   SimTK::State state;
   Eigen::MatrixXd N;           // pin angles per coordinate [rad/rad] (hinges, coordinates)
-  Eigen::VectorXd offset;      // of the pin angles [rad] (hinges)
+  Eigen::VectorXd offset;      // offset of the pin angles [rad] (hinges)
   std::vector<int> leader_of;  // pin that turns by the coordinate itself (coordinates)
 };
 
@@ -191,7 +198,7 @@ Multibody& Multibody::operator=(Multibody&&) noexcept = default;
 std::vector<Pose<double>> Multibody::pose(const Eigen::Ref<const Eigen::VectorXd>& q) {
   parts_->set(q);
   std::vector<Pose<double>> poses(parts_->skeleton.tree.size());
-  // Simbody's transforms are displacements, as body frames stand at the base.
+  // Copy Simbody's transforms: they are displacements, since body frames start at the base.
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const SimTK::Transform& X = parts_->matter.getMobilizedBody(Parts::body(static_cast<int>(i)))
                                     .getBodyTransform(parts_->state);
@@ -256,14 +263,14 @@ Eigen::VectorXd Multibody::forward_dynamics(const JointMotion& motion,
     require(carries[i], "joint '{}' moves nothing that has mass", parts_->skeleton.hinge_names[i]);
   parts_->system.realize(parts_->state, SimTK::Stage::Dynamics);
 
-  // Torques act on the leaders; the constraints turn the followers.
+  // Apply the torques to the leaders; constraints move the followers.
   const Eigen::VectorXd total = tau + parts_->passive_torque(motion);
   SimTK::Vector on_pins(static_cast<int>(parts_->skeleton.tree.size()), 0.0), u_dot;
   for (Eigen::Index i = 0; i < total.size(); ++i) on_pins[parts_->leader_of[i]] = total[i];
   SpatialVectors A;
   parts_->matter.calcAcceleration(parts_->state, on_pins, parts_->body_forces(loads), u_dot, A);
 
-  // Accelerations of the leaders.
+  // Read the accelerations of the leaders.
   Eigen::VectorXd q_ddot(total.size());
   for (Eigen::Index i = 0; i < total.size(); ++i) q_ddot[i] = u_dot[parts_->leader_of[i]];
   return q_ddot;

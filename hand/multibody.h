@@ -1,6 +1,6 @@
 #pragma once
 
-/// A skeleton as a Simbody multibody: the second machine, for dynamics and cross-checks.
+/// Skeleton as a Simbody multibody, for dynamics and as an independent check of kinematics.
 
 #include <memory>
 #include <vector>
@@ -14,24 +14,24 @@ namespace thenar {
 
 /// Switch of the passive springs and dampers of the joints.
 enum class Passive {
-  kOff,  // only the torques and loads that are handed in
-  kOn    // plus  -stiffness (q - rest) - damping q_dot  at every coordinate
+  kOff,  // only the given torques and loads
+  kOn    // adds  -stiffness (q - rest) - damping q_dot  at every coordinate
 };
 
 /// Posture and speeds of the joints.
 struct JointMotion {
-  Eigen::VectorXd q;      // (coordinates) [rad]
-  Eigen::VectorXd q_dot;  // (coordinates) [rad/s]
+  Eigen::VectorXd q;      // joint angles [rad] (coordinates)
+  Eigen::VectorXd q_dot;  // joint velocities [rad/s] (coordinates)
 };
 
-/// Pins at the skeleton's axes. A coupled hinge follows its leader through a constraint, so that
-/// every vector here has one entry per coordinate of the skeleton.
+/// Multibody of pin joints at the skeleton's axes. A coupled hinge follows its leader through a
+/// constraint, so that every vector has one entry per coordinate of the skeleton.
 ///
-/// The links between the two hinges of a universal joint stay massless; that is exact, and well
-/// posed as long as something beyond them has mass and their axes are not the same line.
+/// The links between the two hinges of a universal joint are massless; that is exact, and well
+/// posed as long as a body beyond them has mass and their axes are not the same line.
 ///
-/// Owns one Simbody System and State, which every call below changes: one object per thread.
-/// @throws InputError (every call) if a vector has the wrong length or a link is not there;
+/// Owns one Simbody System and State, which every call changes: use one object per thread.
+/// @throws InputError (every call) if a vector has the wrong length or a link does not exist;
 /// (masses, energies, dynamics) if a segment has mass but unknown moments of inertia.
 class Multibody {
  public:
@@ -40,26 +40,29 @@ class Multibody {
   Multibody(Multibody&&) noexcept;
   Multibody& operator=(Multibody&&) noexcept;
 
-  /// Displacement of every link from the reference posture. @param q (coordinates) [rad]
+  /// Computes the displacement of every link from the reference posture. @param q (coordinates)
+  /// [rad]
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::Ref<const Eigen::VectorXd>& q);
 
-  /// Spatial Jacobian, rotation above translation, of a point of a link. (6, coordinates)
+  /// Computes the spatial Jacobian, rotation above translation, of a point of a link. (6,
+  /// coordinates)
   /// @param link  -1: the base, which does not move
-  /// @param p     the point at the reference posture [m] (3)
+  /// @param p     position of the point at the reference posture [m] (3)
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
       const Eigen::Ref<const Eigen::VectorXd>& q, int link, const Eigen::Vector3d& p);
 
-  /// Torque of weights and forces about every coordinate, as load_torque() of hand/statics.h.
+  /// Computes the torque of weights and forces about every coordinate, as load_torque() of
+  /// hand/statics.h.
   [[nodiscard]] Eigen::VectorXd load_torque(const Eigen::Ref<const Eigen::VectorXd>& q,
                                             const Loads& loads);
 
-  /// Mass matrix M(q), symmetric. (coordinates, coordinates) [kg m^2]
+  /// Computes the mass matrix M(q), symmetric. (coordinates, coordinates) [kg m^2]
   [[nodiscard]] Eigen::MatrixXd mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& q);
 
-  /// Kinetic energy  q_dot' M q_dot / 2  [J].
+  /// Computes the kinetic energy  q_dot' M q_dot / 2  [J].
   [[nodiscard]] double kinetic_energy(const JointMotion& motion);
 
-  /// Torque that the joints must make for these accelerations:
+  /// Computes the joint torque for given accelerations:
   ///   tau = M q_ddot + c(q, q_dot) - load torque - passive torque.
   /// @param q_ddot  (coordinates) [rad/s^2]
   /// @return        (coordinates) [N m]
@@ -67,10 +70,10 @@ class Multibody {
                                                  const Eigen::Ref<const Eigen::VectorXd>& q_ddot,
                                                  const Loads& loads = {});
 
-  /// Accelerations under these joint torques; undoes inverse_dynamics().
+  /// Computes the accelerations under given joint torques; the inverse of inverse_dynamics().
   /// @param tau  (coordinates) [N m]
   /// @return     (coordinates) [rad/s^2]
-  /// @throws InputError if a hinge has nothing with mass beyond it.
+  /// @throws InputError if nothing beyond a hinge has mass.
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const JointMotion& motion,
                                                  const Eigen::Ref<const Eigen::VectorXd>& tau,
                                                  const Loads& loads = {});

@@ -6,18 +6,20 @@
 namespace thenar {
 namespace {
 
-/// Moment of one end, turned by x towards it [N m].
+/// Computes the moment of one end at a rotation x towards it [N m].
 double end_moment(const PassiveEnd& end, double x) {
-  const double s = x / end.width, curved = std::min(s, kStraightPast);
+  const double s = x / end.width, curved = std::min(s, kMaxExponent);
   return end.moment * (std::expm1(curved) + std::exp(curved) * (s - curved));
 }
 
+/// Computes d end_moment / dx [N m/rad].
 double end_slope(const PassiveEnd& end, double x) {
-  return end.moment / end.width * std::exp(std::min(x / end.width, kStraightPast));
+  return end.moment / end.width * std::exp(std::min(x / end.width, kMaxExponent));
 }
 
+/// Computes the integral of end_moment from 0 to x [J].
 double end_energy(const PassiveEnd& end, double x) {
-  const double s = x / end.width, curved = std::min(s, kStraightPast), past = s - curved;
+  const double s = x / end.width, curved = std::min(s, kMaxExponent), past = s - curved;
   return end.moment * end.width *
          (std::expm1(curved) - curved + past * (std::expm1(curved) + std::exp(curved) * past / 2));
 }

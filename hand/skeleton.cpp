@@ -12,15 +12,16 @@
 namespace thenar {
 namespace {
 
+/// Returns whether a digit is among those to keep.
 bool keeps(const std::vector<std::string>& digits, const Digit& digit) {
   return digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0;
 }
 
-/// Segments between the tips of the kept digits and the base.
+/// Returns the segments between the tips of the kept digits and the base.
 std::set<std::string> kept_segments(const Subject& subject,
                                     const std::vector<std::string>& digits) {
   std::set<std::string> kept;
-  // From the tips towards the base.
+  // Walk from the tips towards the base.
   for (const Digit& digit : subject.digits)
     if (keeps(digits, digit)) kept.insert(digit.tip_segment);
   for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
@@ -28,13 +29,14 @@ std::set<std::string> kept_segments(const Subject& subject,
   return kept;
 }
 
+/// Checks the options.
 void require_known(const Subject& subject, const SkeletonOptions& options) {
-  // Digits that exist.
+  // Check that the digits exist.
   for (const std::string& name : options.digits)
     require(std::any_of(subject.digits.begin(), subject.digits.end(),
                         [&](const Digit& digit) { return digit.name == name; }),
             "subject '{}' has no digit '{}'", subject.name, name);
-  // Joints that exist, frozen within their limits.
+  // Check that frozen joints exist, with angles within their limits.
   for (const auto& [name, angle] : options.frozen) {
     const auto joint = std::find_if(subject.joints.begin(), subject.joints.end(),
                                     [&, &n = name](const JointAxis& j) { return j.name == n; });
@@ -46,7 +48,7 @@ void require_known(const Subject& subject, const SkeletonOptions& options) {
   }
 }
 
-/// The digits that a joint moves.
+/// Returns the digits that a joint moves.
 std::vector<Digit> digits_moved(const Subject& subject, const std::string& joint) {
   std::vector<Digit> moved;
   for (const JointAxis& candidate : subject.joints)
@@ -57,17 +59,17 @@ std::vector<Digit> digits_moved(const Subject& subject, const std::string& joint
   return moved;
 }
 
-/// Grows the skeleton joint by joint, from the wrist outwards.
-class Builder {
+/// Builder of a skeleton, joint by joint from the wrist outwards.
+class SkeletonBuilder {
  public:
-  Builder(const Subject& subject, const SkeletonOptions& options)
+  SkeletonBuilder(const Subject& subject, const SkeletonOptions& options)
       : subject_(subject), options_(options), kept_(kept_segments(subject, options.digits)) {
-    // The base, then joints from the wrist outwards.
+    // Add the base, then joints from the wrist outwards.
     skeleton_.link_of_segment[subject.base] = -1;
     skeleton_.segment_at[subject.base] = {};
     for (const JointAxis& joint : subject.joints)
       if (kept_.count(joint.child) > 0) add(joint);
-    // Masses and tips on the links that are there.
+    // Add masses and tips to the links.
     for (const Segment& segment : subject.segments) add_mass(segment);
     for (const Digit& digit : subject.digits)
       if (keeps(options.digits, digit)) add_tip(digit);
@@ -76,8 +78,9 @@ class Builder {
   Skeleton take() { return std::move(skeleton_); }
 
  private:
+  /// Adds a joint: a hinge, or a weld if it is frozen.
   void add(const JointAxis& joint) {
-    // A second joint between the same segments follows the first.
+    // Attach a second joint between the same segments to the first.
     const bool follows = skeleton_.link_of_segment.count(joint.child) > 0;
     const std::string& from = follows ? joint.child : joint.parent;
     const std::string& carrier = carrier_.emplace(joint.child, joint.parent).first->second;
@@ -86,12 +89,12 @@ class Builder {
             joint.child, joint.parent, carrier);
     require(skeleton_.link_of_segment.count(from) > 0,
             "joint '{}' hangs on segment '{}', which no earlier joint reaches", joint.name, from);
-    // The axis at the reference posture, with frozen joints turned.
+    // Compute the axis at the reference posture, displaced by frozen joints.
     const int parent = skeleton_.link_of_segment.at(from);
     const Pose<double> at = skeleton_.segment_at.at(from);
     const Eigen::Vector3d direction = at.R * joint.direction, point = at * joint.point;
 
-    // A frozen joint welds its segments; another adds a hinge.
+    // Weld the segments of a frozen joint, or add a hinge.
     if (const auto angle = frozen_angle(joint)) {
       skeleton_.link_of_segment[joint.child] = parent;
       skeleton_.segment_at[joint.child] = screw_motion(direction, point, *angle) * at;
@@ -101,8 +104,9 @@ class Builder {
     }
   }
 
+  /// Returns the angle of a frozen joint, and stores it.
   std::optional<double> frozen_angle(const JointAxis& joint) {
-    // Frozen by name, or by following a frozen joint.
+    // Find the angle by name, or from a frozen leader.
     const auto asked = options_.frozen.find(joint.name);
     std::optional<double> angle;
     if (asked != options_.frozen.end()) {
@@ -115,17 +119,18 @@ class Builder {
     return angle;
   }
 
+  /// Adds a hinge and returns its link.
   int add_hinge(const JointAxis& joint, int parent, const Eigen::Vector3d& direction,
                 const Eigen::Vector3d& point) {
     int coordinate = skeleton_.coordinates();
     double ratio = 1, offset = 0;
-    // A follower shares its leader's coordinate; another joint gets its own.
+    // Use the leader's coordinate for a follower, a new one for another joint.
     if (joint.coupling) {
       coordinate = coordinate_of(joint.coupling->leader, joint.name);
       ratio = joint.coupling->ratio;
       offset = joint.coupling->offset;
       add_passive(skeleton_.limits[coordinate], joint, *joint.coupling);
-      narrow(skeleton_.limits[coordinate], joint, *joint.coupling);
+      narrow_range(skeleton_.limits[coordinate], joint, *joint.coupling);
     } else {
       skeleton_.coordinate_names.push_back(joint.name);
       skeleton_.limits.push_back(
@@ -134,16 +139,16 @@ class Builder {
     if (joint.flexing.moment > 0 || joint.extending.moment > 0)
       skeleton_.limits[static_cast<std::size_t>(coordinate)].ends.push_back(
           {ratio, offset, joint.rest, joint.flexing, joint.extending});
-    // Hinge, with the mass still to come.
+    // Append the hinge; its mass is added later.
     skeleton_.hinge_names.push_back(joint.name);
     skeleton_.tree.push_back({parent, coordinate, ratio, offset, direction, point});
     skeleton_.masses.emplace_back();
     return static_cast<int>(skeleton_.tree.size()) - 1;
   }
 
-  /// Spring and damper of a follower, felt by its leader; two springs are one with a new rest.
+  /// Adds spring and damper of a follower to its leader's coordinate.
   static void add_passive(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
-    // Two springs on one coordinate are one, with the mean rest.
+    // Combine two springs into one, with the weighted mean of their rest angles.
     const double stiffness = by.ratio * by.ratio * joint.stiffness;
     const double moment =
         leader.stiffness * leader.rest + by.ratio * joint.stiffness * (joint.rest - by.offset);
@@ -152,11 +157,11 @@ class Builder {
     if (leader.stiffness > 0) leader.rest = moment / leader.stiffness;
   }
 
-  /// Narrows the range of a leader to the range that its follower allows; a joint without a range
-  /// allows all.
-  static void narrow(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
+  /// Narrows the range of a leader to the range that its follower allows; a follower without a
+  /// range has no effect.
+  static void narrow_range(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
     if (by.ratio == 0 || joint.upper - joint.lower > 2 * kPi - 1e-9) return;
-    // The follower's range, seen from the leader.
+    // Convert the follower's range to the leader's coordinate.
     double lower = (joint.lower - by.offset) / by.ratio,
            upper = (joint.upper - by.offset) / by.ratio;
     if (lower > upper) std::swap(lower, upper);
@@ -180,6 +185,7 @@ class Builder {
         digits.empty() ? "" : digits.front().name);
   }
 
+  /// Returns the coordinate of a leader.
   [[nodiscard]] int coordinate_of(const std::string& leader, const std::string& follower) const {
     const auto& names = skeleton_.coordinate_names;
     const auto found = std::find(names.begin(), names.end(), leader);
@@ -189,6 +195,7 @@ class Builder {
     return static_cast<int>(found - names.begin());
   }
 
+  /// Adds the mass of a segment to its link.
   void add_mass(const Segment& segment) {
     const auto link = skeleton_.link_of_segment.find(segment.name);
     if (link == skeleton_.link_of_segment.end() || link->second < 0) return;
@@ -196,6 +203,7 @@ class Builder {
     mass = combine(mass, displace(skeleton_.segment_at.at(segment.name), segment_mass(segment)));
   }
 
+  /// Adds the tip of a digit.
   void add_tip(const Digit& digit) {
     const auto link = skeleton_.link_of_segment.find(digit.tip_segment);
     if (link == skeleton_.link_of_segment.end()) return;
@@ -208,7 +216,7 @@ class Builder {
   const Subject& subject_;
   const SkeletonOptions& options_;
   std::set<std::string> kept_;
-  std::map<std::string, std::string> carrier_;  // segment -> the one that its joints hang on
+  std::map<std::string, std::string> carrier_;  // segment -> the parent segment of its joints
   Skeleton skeleton_;
 };
 
@@ -216,7 +224,7 @@ class Builder {
 
 Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options) {
   require_known(subject, options);
-  return Builder(subject, options).take();
+  return SkeletonBuilder(subject, options).take();
 }
 
 std::vector<std::string> shared_joints(const Subject& subject) {
@@ -262,14 +270,15 @@ Eigen::VectorXd passive_torque(const Skeleton& skeleton,
 
 namespace {
 
-/// Solid capsule: a cylinder of length h with two half balls. The transverse moment adds
-/// the parallel-axis terms of the half balls, whose centres lie 3/8 r beyond the cylinder.
+/// Computes the mass of a solid capsule: a cylinder of length h with two half balls. The transverse
+/// moment adds the parallel-axis terms of the half balls, whose centres lie 3/8 r beyond the
+/// cylinder.
 LinkMass capsule(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
-  // Masses of cylinder and half balls.
+  // Compute the masses of cylinder and half balls.
   const double h = (b - a).norm();
   const double cylinder = kHandDensity * kPi * r * r * h;
   const double balls = kHandDensity * 4.0 / 3.0 * kPi * r * r * r;
-  // Moments along and across the axis.
+  // Compute the moments along and across the axis.
   const double along = cylinder * r * r / 2 + balls * 2 * r * r / 5;
   const double across =
       cylinder * (h * h / 12 + r * r / 4) + balls * (2 * r * r / 5 + h * h / 4 + 3 * h * r / 8);
@@ -279,7 +288,7 @@ LinkMass capsule(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
       cylinder + balls, (a + b) / 2, along * dd + across * (Eigen::Matrix3d::Identity() - dd), {}};
 }
 
-/// Inertia that a point mass at offset r adds.
+/// Computes the inertia of a point mass at offset r.
 Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& r) {
   return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
 }
@@ -287,7 +296,7 @@ Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& r) {
 }  // namespace
 
 LinkMass segment_mass(const Segment& segment) {
-  // Capsule, measured mass, or both.
+  // Combine the capsule with measured values.
   LinkMass body;
   if (segment.radius > 0) body = capsule(segment.proximal, segment.distal, segment.radius);
   if (segment.mass == 0) return body;

@@ -7,8 +7,9 @@
 namespace thenar {
 namespace {
 
+/// Builds the layout of a skeleton with a motor at each coordinate.
 HandLayout layout_of(const Skeleton& skeleton) {
-  // Coordinates with their limits; each has its own motor.
+  // Copy the coordinates with their limits.
   HandLayout layout;
   layout.coordinates = skeleton.coordinate_names;
   layout.actuators = skeleton.coordinate_names;
@@ -18,7 +19,7 @@ HandLayout layout_of(const Skeleton& skeleton) {
     layout.lower[i] = skeleton.limits[i].lower;
     layout.upper[i] = skeleton.limits[i].upper;
   }
-  // Tips, and parents of the links.
+  // Copy tips, and parents of the links.
   for (const SkeletonTip& tip : skeleton.tips) {
     layout.tips.push_back(tip.digit);
     layout.tip_points.push_back({tip.digit, tip.link, tip.p});
@@ -36,7 +37,7 @@ SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
       layout_(layout_of(skeleton_)),
       surfaces_(std::move(surfaces)) {
   const Eigen::Index n = skeleton_.coordinates();
-  // Limits, drives and open posture fit the skeleton.
+  // Check that limits, drives and open posture fit the skeleton.
   require(limits_.lower.size() == n && limits_.upper.size() == n,
           "{} coordinates want as many torque limits, got {} lower and {} upper", n,
           limits_.lower.size(), limits_.upper.size());

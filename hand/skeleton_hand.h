@@ -1,6 +1,6 @@
 #pragma once
 
-/// A hand without tendons: ideal motors at its joints. For rungs on which muscles do not matter.
+/// Hand without tendons: ideal motors at its joints, for models in which muscles do not matter.
 
 #include <vector>
 
@@ -11,22 +11,23 @@ namespace thenar {
 
 /// Torque limits of the motor of every coordinate.
 struct TorqueLimits {
-  Eigen::VectorXd lower;  // [N m] (coordinates)
-  Eigen::VectorXd upper;  // [N m] (coordinates)
+  Eigen::VectorXd lower;  // smallest torques [N m] (coordinates)
+  Eigen::VectorXd upper;  // largest torques [N m] (coordinates)
 };
 
 /// Closing synergy of a hand: its drives, the posture it starts from and its approach direction.
 struct ClosingSynergy {
   std::vector<Drive> drives;
   PalmApproach approach;
-  Eigen::VectorXd open{};  // as HandLayout::open
+  Eigen::VectorXd open{};  // open posture, as in HandLayout::open
 };
 
-/// A skeleton as a Hand: B = I, u = motor torques, tau_0 = passive joint torque.
+/// Skeleton as a Hand: B = I, u = motor torques, tau_0 = passive joint torque.
 class SkeletonHand final : public Hand {
  public:
-  /// @throws InputError if the limits have the wrong length or cross, or a drive moves a coordinate
-  /// that is not there, or the open posture has the wrong length.
+  /// Builds the hand.
+  /// @throws InputError if the limits have the wrong length or cross, a drive moves a coordinate
+  /// that does not exist, or the open posture has the wrong length.
   SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {},
                ClosingSynergy use = {});
 

@@ -21,14 +21,14 @@ void add_force(const Skeleton& skeleton, const TreeState<double>& state, const P
 Eigen::VectorXd load_torque(const Skeleton& skeleton, const Eigen::Ref<const Eigen::VectorXd>& q,
                             const Loads& loads) {
   const int links = static_cast<int>(skeleton.tree.size());
-  // Shape of q, and links that exist.
+  // Check the size of q, and the links of forces.
   require(q.size() == skeleton.coordinates(), "the skeleton has {} coordinates, q has {}",
           skeleton.coordinates(), q.size());
   for (const PointForce& force : loads.forces)
     require(force.link >= -1 && force.link < links, "a force acts on link {} of {}", force.link,
             links);
 
-  // External forces, then weights.
+  // Add external forces, then weights.
   const TreeState<double> state = pose_tree(skeleton.tree, q);
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(skeleton.coordinates());
   for (const PointForce& force : loads.forces) add_force(skeleton, state, force, tau);
@@ -44,7 +44,7 @@ Eigen::VectorXd joint_torque(const Tree<double>& tree, const TreeState<double>& 
   Eigen::VectorXd torque = Eigen::VectorXd::Zero(coordinates);
   for (const LinkWrench& on : wrenches)
     for_each_hinge_to_base(tree, on.link, [&](int i) {
-      // Moment about a point of the hinge, along its axis.
+      // Add the moment about a point of the hinge, along its axis.
       const auto& at = state[static_cast<std::size_t>(i)];
       const auto& hinge = tree[static_cast<std::size_t>(i)];
       torque[hinge.coordinate] +=

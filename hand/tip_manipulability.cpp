@@ -13,7 +13,7 @@ namespace thenar {
 TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J) {
   require(J.cols() > 0, "a tip that no joint moves has no mobility");
   require(J.allFinite(), "a tip Jacobian must be finite");
-  // Singular values of the Jacobian, those of a straight finger set to zero.
+  // Decompose the Jacobian, with the zero singular values of a straight finger made exact.
   const Eigen::MatrixXd matrix = J;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU);
   svd.setThreshold(internal::kRankTolerance);
@@ -35,7 +35,7 @@ TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J
 
 std::optional<Eigen::Vector3d> plane_normal(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
                                             const Eigen::Ref<const Eigen::Matrix3Xd>& W) {
-  constexpr double kRounding = 1e-12;  // Rounding of unit axes turned by a few rotations [1]
+  constexpr double kRounding = 1e-12;  // rounding of unit axes after a few rotations [1]
   std::optional<Eigen::Vector3d> normal;
   for (Eigen::Index k = 0; k < W.cols(); ++k) {
     const double turns = W.col(k).norm();
@@ -44,7 +44,7 @@ std::optional<Eigen::Vector3d> plane_normal(const Eigen::Ref<const Eigen::Matrix
     if (!normal) normal = axis;
     if (normal->cross(axis).norm() > kRounding) return {};
   }
-  // Joints that move the tip without turning it must slide it in the plane.
+  // Check that joints that move the tip without rotating it slide it in the plane.
   for (Eigen::Index k = 0; k < W.cols() && normal; ++k)
     if (W.col(k).norm() < kRounding &&
         std::abs(normal->dot(J.col(k))) > kRounding * J.col(k).norm())

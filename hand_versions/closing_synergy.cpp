@@ -10,16 +10,16 @@
 namespace thenar {
 namespace {
 
-/// The bone of the digit that a hinge lies before; absent: another digit's, or the wrist.
+/// Returns the bone of the digit next to which a hinge lies, on its proximal side; absent: the
+/// hinge of another digit or the wrist.
 std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy& digit,
                                       const std::string& joint) {
-  // Segment that the joint moves.
+  // Find the segment that the joint moves.
   std::string child;
   for (const JointAxis& each : subject.joints)
     if (each.name == joint) child = each.child;
   for (std::size_t i = 0; i < digit.bones.size(); ++i) {
-    // Bones of the digit, from the root outwards.
-    // From the bone inwards, through the links of a universal joint.
+    // Walk inwards from each bone, through the links of a universal joint.
     std::string name = digit.bones[i].segment;
     const std::string stop = i == 0 ? digit.root : digit.bones[i - 1].segment;
     while (name != stop) {
@@ -33,15 +33,16 @@ std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy
   return std::nullopt;
 }
 
+/// Builds the drive of all flexion joints of a digit.
 Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Skeleton& skeleton) {
   Drive drive;
-  // Speed by convention, slower for the thumb.
+  // Set the speed by convention, slower for the thumb.
   drive.name = digit.name;
   drive.coupling = DriveCoupling::kBreakaway;
   const bool thumb = digit.name == "thumb";
   drive.speed = thumb ? 0.25 : 1;
   const double distal = thumb ? 1 : 2.0 / 3;
-  // All flexion joints of the digit.
+  // Add all flexion joints of the digit.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const std::string& joint = skeleton.coordinate_names[i];
     const auto bone = bone_after(subject, digit, joint);
@@ -51,7 +52,7 @@ Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Ske
   return drive;
 }
 
-/// Fingers straight, what does not close halfway.
+/// Returns the posture with closing joints straight and others in the middle of their ranges.
 Eigen::VectorXd neutral_posture(const Skeleton& skeleton, const std::vector<bool>& closes) {
   Eigen::VectorXd q(skeleton.coordinates());
   for (int i = 0; i < skeleton.coordinates(); ++i) {
@@ -63,8 +64,9 @@ Eigen::VectorXd neutral_posture(const Skeleton& skeleton, const std::vector<bool
   return q;
 }
 
+/// Returns the approach of the palm, or of the first bone.
 PalmApproach palm_approach(const HandAnatomy& hand) {
-  // A palm: its middle, towards the knuckles, on the palmar side.
+  // Approach with the middle of the palm, towards the knuckles, on the palmar side.
   if (hand.palm) {
     Eigen::Vector3d knuckles = Eigen::Vector3d::Zero();
     int fingers = 0;
@@ -76,25 +78,24 @@ PalmApproach palm_approach(const HandAnatomy& hand) {
     const Eigen::Vector3d middle = 0.3 * hand.palm->wrist + 0.7 * knuckles / fingers;
     return {middle - hand.palm->thickness / 2 * hand.palm->dorsal, -hand.palm->dorsal};
   }
-  // No palm: the first bone of the first digit.
+  // Approach with the first bone of the first digit if there is no palm.
   const DigitBone& bone = hand.digits.front().bones.front();
   return {bone.distal - bone.radius * bone.dorsal, -bone.dorsal};
 }
 
-/// Replaces the ratios of a drive by those of the torques of the flexors; leaves it where there
-/// are none.
+/// Replaces the ratios of a drive by those of the flexors' torques; unchanged if there are none.
 void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
-  // The joint with the largest torque is the fastest.
-  double most = 0;
+  // Find the largest torque, that of the fastest joint.
+  double max_torque = 0;
   for (const DrivenCoordinate& driven : drive.moves)
-    most = std::max(most, torque[driven.coordinate]);
-  if (most <= 0) return;
+    max_torque = std::max(max_torque, torque[driven.coordinate]);
+  if (max_torque <= 0) return;
   drive.coupling = DriveCoupling::kCompliant;
-  // Joints that the flexors extend are left out.
+  // Leave out joints that the flexors extend.
   std::vector<DrivenCoordinate> moves;
   for (const DrivenCoordinate& driven : drive.moves)
     if (torque[driven.coordinate] > 0)
-      moves.push_back({driven.coordinate, torque[driven.coordinate] / most});
+      moves.push_back({driven.coordinate, torque[driven.coordinate] / max_torque});
   drive.moves = moves;
 }
 
@@ -102,13 +103,13 @@ void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
 
 ClosingSynergy motor_synergy(const HandAnatomy& hand, const Subject& subject,
                              const Skeleton& skeleton) {
-  // One drive for each digit.
+  // Build one drive for each digit.
   ClosingSynergy use;
   for (const DigitAnatomy& digit : hand.digits) {
     const Drive drive = flexion_drive(digit, subject, skeleton);
     if (!drive.moves.empty()) use.drives.push_back(drive);
   }
-  // A resting drive for every joint that is left.
+  // Add a drive of speed 0 for every other joint.
   std::vector<bool> moved(static_cast<std::size_t>(skeleton.coordinates()), false);
   for (const Drive& drive : use.drives)
     for (const DrivenCoordinate& driven : drive.moves) moved[driven.coordinate] = true;

@@ -18,7 +18,7 @@ const HandAction& HandActuator::act(const Eigen::VectorXd& q, const Eigen::Vecto
   const Eigen::Index m = hand_.max_force().size();
   require(q.size() == n && u.size() == m, "wanted {} angles and {} tensions, got {} and {}", n, m,
           q.size(), u.size());
-  // Start from nothing.
+  // Reset the action.
   action_.status = TendonStatus::kValid;
   action_.snapped = false;
   action_.slopes = true;
@@ -27,7 +27,7 @@ const HandAction& HandActuator::act(const Eigen::VectorXd& q, const Eigen::Vecto
   action_.K.setZero(n, n);
   action_.length.setZero(m);
   action_.digits.assign(digits_.size(), nullptr);
-  // Each digit adds to its rows and columns.
+  // Add each digit to its rows and columns.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     if (!digits_[i]) continue;
     const auto& [rows, columns] = hand_.places()[i];
@@ -38,7 +38,7 @@ const HandAction& HandActuator::act(const Eigen::VectorXd& q, const Eigen::Vecto
     action_.slopes = action_.slopes && part.slopes;
     action_.tau(rows) += part.tau;
     action_.B(rows, columns) += part.R.transpose();
-    // Derivatives where they exist.
+    // Add derivatives where they exist.
     if (!part.slopes) continue;
     action_.K(rows, rows) += part.K;
     action_.length(columns) += part.length;

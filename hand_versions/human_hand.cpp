@@ -26,19 +26,21 @@ const std::map<std::string, std::string_view>& human_files();
 
 namespace {
 
+/// Returns the text of a built-in file.
 std::string built_in(const std::string& file) {
   return std::string(internal::human_files().at(file));
 }
 
+/// Returns the description of the net of fingers.
 const NetDescription& finger_net() {
   static const NetDescription net = parse_net(built_in("extensor_hood.toml"), "extensor_hood.toml");
   return net;
 }
 
-/// The wrist at its reference, or as near as its limits allow; and what was asked for.
+/// Returns the frozen joints: the requested ones, and the wrist at its reference or nearest limit.
 std::map<std::string, double> frozen_joints(const Subject& subject,
                                             const std::map<std::string, double>& asked) {
-  // Joints that digits share are frozen as well.
+  // Freeze the joints that digits share as well.
   std::map<std::string, double> frozen = asked;
   for (const std::string& name : shared_joints(subject))
     for (const JointAxis& joint : subject.joints)
@@ -48,33 +50,36 @@ std::map<std::string, double> frozen_joints(const Subject& subject,
 
 bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
 
-/// Path rung that the subject's strands can stand on: those that state arms instead of points have
-/// no path.
+/// Returns the path model that the subject's strands allow: strands with arms instead of points
+/// have no path.
 Path path_of(const Subject& subject, const std::optional<Path>& asked) {
   const bool arms = std::all_of(subject.strands.begin(), subject.strands.end(),
                                 [](const Strand& strand) { return strand.path.empty(); });
   return arms ? Path::kConstant : asked.value_or(default_path(subject));
 }
 
+/// Builds the options of one digit's tendons.
 TendonOptions tendon_options(const Subject& subject, const std::string& digit,
                              const std::map<std::string, double>& frozen,
                              const std::optional<Path>& path) {
   TendonOptions options;
-  // Frozen joints that this subject has.
+  // Select the frozen joints that this subject has.
   options.path = path_of(subject, path);
   for (const auto& [joint, angle] : frozen)
     for (const JointAxis& each : subject.joints)
       if (each.name == joint) options.frozen[joint] = angle;
-  // Its hood, if the subject states one.
+  // Use its hood, if the subject states one.
   for (const Digit& each : subject.digits)
     if (each.name == digit) options.hood = each.hood ? Hood::kFractions : Hood::kSeparate;
   return options;
 }
 
-std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::string& digit,
-                                          const TendonOptions& options,
-                                          std::vector<std::string>& warnings) {
-  // The thumb has no net; a finger that cannot carry one keeps linear tendons.
+/// Builds a digit with a net, or without one and a warning where that fails.
+std::unique_ptr<DigitTendons> net_or_linear_tendons(const Subject& subject,
+                                                    const std::string& digit,
+                                                    const TendonOptions& options,
+                                                    std::vector<std::string>& warnings) {
+  // Try a net on fingers; use linear tendons for the thumb and where that fails.
   TendonOptions floating = options;
   floating.hood = Hood::kFloatingNet;
   if (digit != "thumb") try {
@@ -85,23 +90,25 @@ std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::str
   return build_digit_tendons(subject, digit, options);
 }
 
+/// Model of the extensors.
 enum class Extensors { kLinear, kNet };
 
+/// Builds the tendons of all digits.
 HandTendons hand_tendons(const Subject& subject, Extensors extensors,
                          const std::map<std::string, double>& frozen,
                          const std::optional<Path>& path, std::vector<std::string>& warnings) {
   HandTendons tendons;
   std::vector<std::string> muscles;
-  // Tendons of each digit, and all muscles once.
+  // Build the tendons of each digit, and collect all muscles once.
   for (const Digit& digit : subject.digits) {
     const TendonOptions options = tendon_options(subject, digit.name, frozen, path);
     tendons.digits.push_back(extensors == Extensors::kNet
-                                 ? net_or_less(subject, digit.name, options, warnings)
+                                 ? net_or_linear_tendons(subject, digit.name, options, warnings)
                                  : build_digit_tendons(subject, digit.name, options));
     for (const std::string& name : tendons.digits.back()->digit().names.muscles)
       if (std::count(muscles.begin(), muscles.end(), name) == 0) muscles.push_back(name);
   }
-  // Largest tensions, with the assumptions that they rest on.
+  // Set the largest tensions, and warn of assumptions.
   MuscleForces forces = muscle_forces(subject, muscles);
   tendons.max_force = std::move(forces.max_force);
   for (const std::string& assumed : forces.assumed)
@@ -109,32 +116,32 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
   return tendons;
 }
 
-/// Strength of joints by their names.
+/// Computes the smallest and largest torque of joints by their names.
 std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& skeleton,
                                                                 HandTendons tendons) {
-  // Limits at the reference posture.
+  // Compute the limits at the reference posture.
   const TendonHand hand(skeleton, std::move(tendons));
   const TorqueLimits limits =
       joint_torque_limits(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
   std::map<std::string, std::pair<double, double>> strength;
-  // Joints that no muscle moves are left out.
+  // Leave out joints that no muscle moves.
   for (int i = 0; i < skeleton.coordinates(); ++i)
     if (limits.upper[i] > limits.lower[i])
       strength[skeleton.coordinate_names[i]] = {limits.lower[i], limits.upper[i]};
   return strength;
 }
 
-/// Strength of the joints of default_human() on a rung of paths.
+/// Returns the strength of the joints of default_human() for a path model.
 const std::map<std::string, std::pair<double, double>>& default_strength(
     const std::optional<Path>& path) {
   const auto on = [](const std::optional<Path>& rung) {
     const Subject& human = default_human();
     const auto frozen = frozen_joints(human, {});
-    std::vector<std::string> unheard;
+    std::vector<std::string> ignored_warnings;
     return named_strength(build_skeleton(human, {{}, frozen}),
-                          hand_tendons(human, Extensors::kNet, frozen, rung, unheard));
+                          hand_tendons(human, Extensors::kNet, frozen, rung, ignored_warnings));
   };
-  // Fitted paths are near wrapped ones, and dear to build.
+  // Use wrapped paths in place of fitted ones, which are close to them and expensive to build.
   if (path == Path::kViaPoint) {
     static const auto straight = on(Path::kViaPoint);
     return straight;
@@ -143,10 +150,11 @@ const std::map<std::string, std::pair<double, double>>& default_strength(
   return wrapped;
 }
 
+/// Computes the torque limits of motors from tendons.
 TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           const Skeleton& skeleton, const std::map<std::string, double>& frozen,
                           const std::optional<Path>& path, std::vector<std::string>& warnings) {
-  // Limits from the subject's own tendons.
+  // Compute limits from the subject's own tendons.
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
       own =
@@ -154,12 +162,12 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
     } catch (const InputError& error) {
       warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
     }
-  // Strength of joints grows with the cube of the size.
+  // Scale the default strength by the cube of the size.
   const double scale = std::pow(anatomy.length / find_anatomy(default_human()).length, 3);
   TorqueLimits limits{Eigen::VectorXd(skeleton.coordinates()),
                       Eigen::VectorXd(skeleton.coordinates())};
   std::string borrowed;
-  // Joints without an own limit borrow that of the default hand.
+  // Use the scaled default strength for joints without a limit of their own.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const std::string& joint = skeleton.coordinate_names[i];
     auto found = own.find(joint);
@@ -181,8 +189,9 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
   return limits;
 }
 
-std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleton,
-                                 const HumanHandOptions& options) {
+/// Builds the surfaces of the chosen cover.
+std::vector<LinkSurface> cover_surfaces(const Subject& subject, const Skeleton& skeleton,
+                                        const HumanHandOptions& options) {
   switch (options.cover) {
     case Cover::kSkin:
       return human_surfaces(subject, skeleton, options.skin);
@@ -194,7 +203,7 @@ std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleto
   return {};
 }
 
-/// Fingertips of skin are pads of pulp. Other materials stay.
+/// Changes the material of fingertips from skin to pads; other materials stay.
 void put_pads(const HandAnatomy& anatomy, std::vector<LinkSurface>& surfaces) {
   for (LinkSurface& surface : surfaces)
     for (const DigitAnatomy& digit : anatomy.digits)
@@ -207,7 +216,7 @@ constexpr std::array kOldVersionNames{EnumName{HumanVersion::kOrthogonalThumb, "
                                       EnumName{HumanVersion::kSoftPads, "tier3"},
                                       EnumName{HumanVersion::kTendonNet, "tier4"}};
 
-/// The version by its name or its old one; empty: it is none.
+/// Returns the version by its name or its old one; empty if there is none.
 std::optional<HumanVersion> find_version(const std::string& name) {
   for (const auto& table : {kHumanVersionNames, kOldVersionNames})
     for (const auto& [version, word] : table)
@@ -222,9 +231,9 @@ HumanHand build_human_hand(const Subject& measured, HumanVersion version,
   const Subject subject = with_passive(measured, options.passive);
   const Subject variant =
       version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(subject) : subject;
-  // Skin lies around the joints as measured, whatever becomes of the thumb's axes.
+  // Derive the anatomy from the measured joints, independent of changes of the thumb's axes.
   const HandAnatomy anatomy = find_anatomy(subject);
-  // Bones, contact model, patches and targets.
+  // Build skeleton, contact model, patches and targets.
   const auto frozen = frozen_joints(variant, options.frozen);
   const Skeleton skeleton = build_skeleton(variant, {{}, frozen});
   HumanHand human;
@@ -236,9 +245,9 @@ HumanHand build_human_hand(const Subject& measured, HumanVersion version,
   human.path = has_tendons(variant) ? path_of(variant, options.path)
                                     : path_of(default_human(), options.path);
   human.warnings = anatomy.warnings;
-  std::vector<LinkSurface> surfaces = covered(subject, skeleton, options);
+  std::vector<LinkSurface> surfaces = cover_surfaces(subject, skeleton, options);
   if (version >= HumanVersion::kSoftPads) put_pads(anatomy, surfaces);
-  // Tendons: digit by digit, through nets where they can be carried.
+  // Build tendons digit by digit for the fourth version, with nets where possible.
   if (version == HumanVersion::kTendonNet) {
     require(has_tendons(variant), "subject '{}' has no tendons for the fourth version",
             variant.name);
@@ -248,10 +257,10 @@ HumanHand build_human_hand(const Subject& measured, HumanVersion version,
       require(!tendons.digits[i]->digit().names.muscles.empty(),
               "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
               variant.name, variant.digits[i].name);
-    // The closing synergy follows from linear tendons.
-    std::vector<std::string> unheard;
-    const TendonHand straight(
-        skeleton, hand_tendons(variant, Extensors::kLinear, frozen, options.path, unheard));
+    // Derive the closing synergy from linear tendons.
+    std::vector<std::string> ignored_warnings;
+    const TendonHand straight(skeleton, hand_tendons(variant, Extensors::kLinear, frozen,
+                                                     options.path, ignored_warnings));
     ClosingSynergy use =
         tendon_synergy(anatomy, variant, skeleton, straight.layout().actuators,
                        straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
@@ -259,7 +268,7 @@ HumanHand build_human_hand(const Subject& measured, HumanVersion version,
                                               std::move(use));
     return human;
   }
-  // Motors: limits from tendons.
+  // Build motors with limits from tendons for other versions.
   TorqueLimits limits =
       motor_limits(variant, anatomy, skeleton, frozen, options.path, human.warnings);
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
@@ -290,17 +299,18 @@ const Subject& default_human() {
 
 namespace {
 
-/// The bone that a joint moves, straight or through links of a universal joint; nullptr if it is
-/// none of the thumb's.
+/// Returns the bone of the thumb that a joint moves, directly or through links of a universal
+/// joint; nullptr if there is none.
 const DigitBone* bone_moved(const Subject& subject, const DigitAnatomy& thumb, std::string child) {
   for (std::size_t step = 0; step <= subject.joints.size(); ++step) {
-    // Down the chain from the joint, until a bone of the thumb.
+    // Walk outwards from the joint, up to a bone of the thumb.
     for (const DigitBone& bone : thumb.bones)
       if (bone.segment == child) return &bone;
     const JointAxis* next = nullptr;
     for (const JointAxis& joint : subject.joints)
       if (joint.parent == child) {
-        if (next != nullptr && next->child != joint.child) return nullptr;  // the palm: it forks
+        if (next != nullptr && next->child != joint.child)
+          return nullptr;  // the chain forks at the palm
         next = &joint;
       }
     if (next == nullptr) return nullptr;
@@ -309,6 +319,7 @@ const DigitBone* bone_moved(const Subject& subject, const DigitAnatomy& thumb, s
   return nullptr;
 }
 
+/// Returns the orthogonal axis of a joint of the thumb.
 Eigen::Vector3d axis_of(const JointAxis& joint, const DigitBone& bone) {
   if (ends_with(joint.name, "_AA")) return bone.dorsal;
   if (ends_with(joint.name, "_PS")) return (bone.distal - bone.proximal).normalized();
@@ -318,16 +329,16 @@ Eigen::Vector3d axis_of(const JointAxis& joint, const DigitBone& bone) {
 }  // namespace
 
 Subject orthogonal_thumb(Subject subject) {
-  // The thumb of the subject.
+  // Find the thumb of the subject.
   const HandAnatomy hand = find_anatomy(subject);
   const DigitAnatomy* thumb = digit_named(hand, "thumb");
   require(thumb != nullptr, "subject '{}' has no thumb", subject.name);
   for (JointAxis& joint : subject.joints) {
-    // A wrist that carries nothing but a thumb is no joint of the thumb.
+    // Skip a wrist that carries only a thumb.
     if (joint.child == thumb->root) continue;
     const DigitBone* bone = bone_moved(subject, *thumb, joint.child);
     if (bone == nullptr) continue;
-    // Orthogonal axis through the joint's centre, with the sense of the old one.
+    // Set the orthogonal axis through the joint's centre, with the sense of the old one.
     const Eigen::Vector3d axis = axis_of(joint, *bone);
     joint.direction = joint.direction.dot(axis) < 0 ? Eigen::Vector3d(-axis) : axis;
     joint.point = bone->proximal;

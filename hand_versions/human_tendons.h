@@ -11,13 +11,13 @@
 
 namespace thenar {
 
-/// Tendons of a subject's hand, with what was assumed for them.
+/// Tendons of a subject's hand, with the assumptions made for them.
 struct HumanTendons {
-  HandTendons hand;                   // a digit for each of the subject
-  std::vector<std::string> warnings;  // what was assumed, left out or put on a lower rung
+  HandTendons hand;                   // tendons of each of the subject's digits
+  std::vector<std::string> warnings;  // assumptions, omissions and simplified models
 };
 
-/// Tendons as build_human_hand() takes them, on any rung of extensors: a floating net where a
+/// Builds the tendons of build_human_hand(), with any model of extensors: a floating net where a
 /// finger can carry it, with a warning where not; else the hood's fractions where the subject has
 /// them, and separate tendons elsewhere.
 /// @throws InputError as build_tendon_digit() and muscle_forces().

@@ -5,22 +5,19 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "hand/skin/hand_anatomy.h"
 
 namespace thenar {
 namespace {
 
-const MuscleUnit* muscle_named(const Subject& subject, const std::string& name) {
-  for (const MuscleUnit& muscle : subject.muscles)
-    if (muscle.name == name) return &muscle;
-  return nullptr;
-}
-
-/// A muscle of the ring or little finger and its like on the middle finger.
+/// Muscle of the middle finger that corresponds to one of the ring or little finger, and that
+/// finger.
 struct Namesake {
   std::string muscle, digit;
 };
 
+/// Returns the corresponding muscle of the middle finger, if there is one.
 std::optional<Namesake> namesake_of(const std::string& name) {
   static const std::map<std::string, Namesake> table{
       {"EDC4", {"EDC3", "ring"}},   {"FDS4", {"FDS3", "ring"}},   {"FDP4", {"FDP3", "ring"}},
@@ -31,7 +28,7 @@ std::optional<Namesake> namesake_of(const std::string& name) {
   return found == table.end() ? std::nullopt : std::optional<Namesake>(found->second);
 }
 
-/// Cross-section of a finger over that of the middle finger [1].
+/// Computes the cross-section of a finger over that of the middle finger [1].
 double section_ratio(const HandAnatomy& hand, const std::string& digit) {
   const DigitAnatomy *one = digit_named(hand, digit), *middle = digit_named(hand, "middle");
   if (one == nullptr || middle == nullptr) return 1;
@@ -45,22 +42,22 @@ MuscleForces muscle_forces(const Subject& subject, const std::vector<std::string
   MuscleForces forces;
   std::optional<HandAnatomy> hand;
   for (const std::string& name : muscles) {
-    const MuscleUnit* muscle = muscle_named(subject, name);
+    const MuscleUnit* muscle = find_named(subject.muscles, name);
     require(muscle != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
-    // Stated by the subject.
+    // Take a value stated by the subject.
     if (muscle->max_force) {
       forces.max_force[name] = *muscle->max_force;
       continue;
     }
-    // Otherwise: its namesake on the middle finger, scaled by the cross-section.
+    // Otherwise scale that of the corresponding muscle of the middle finger by the cross-section.
     const auto like = namesake_of(name);
-    const MuscleUnit* other = like ? muscle_named(subject, like->muscle) : nullptr;
+    const MuscleUnit* other = like ? find_named(subject.muscles, like->muscle) : nullptr;
     require(
         other != nullptr && other->max_force,
         "largest tension of muscle '{}' of '{}' is unknown, and so is that of a like one on the "
         "middle finger",
         name, subject.name);
-    // Anatomy is looked up once, and only if it is needed.
+    // Derive the anatomy once, and only if it is needed.
     if (!hand) hand = find_anatomy(subject);
     const double ratio = section_ratio(*hand, like->digit);
     forces.max_force[name] = ratio * *other->max_force;

@@ -9,12 +9,13 @@
 namespace thenar {
 namespace {
 
+/// Returns zero torque limits.
 TorqueLimits no_motors(const Skeleton& skeleton) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(skeleton.coordinates());
   return {zero, zero};
 }
 
-/// Index of a name, or the size if it is not there.
+/// Returns the index of a name, or the size if it is absent.
 int place_of(const std::vector<std::string>& names, const std::string& name) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
@@ -31,7 +32,7 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
           working_share_);
   layout_.actuators.clear();
   std::vector<double> force;
-  // Rows and columns of each digit within the hand.
+  // Find the rows and columns of each digit within the hand.
   for (const auto& tendons_of : digits_) {
     const TendonNames& names = tendons_of->digit().names;
     Place place;
@@ -40,7 +41,7 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
       require(place.coordinates.back() < skeleton.coordinates(),
               "tendons move joint '{}', which the hand lacks", name);
     }
-    // A muscle that two digits share is one actuator.
+    // Use one actuator for a muscle that two digits share.
     for (const std::string& name : names.muscles) {
       place.actuators.push_back(place_of(layout_.actuators, name));
       if (place.actuators.back() < static_cast<int>(force.size())) continue;
@@ -58,6 +59,7 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
 
 namespace {
 
+/// Converts the status of tendons.
 ActuationStatus status_of(TendonStatus status) {
   if (status == TendonStatus::kValid || status == TendonStatus::kApproximate)
     return ActuationStatus::kExact;
@@ -65,10 +67,11 @@ ActuationStatus status_of(TendonStatus status) {
                                              : ActuationStatus::kUnbalanced;
 }
 
-/// Long steps to a single posture: who asks for one does not ask for small snaps on the way.
-constexpr NetContinuationOptions kHandWalk{2e-3};
+/// Continuation options for a single posture: long steps, in which small snaps on the way are not
+/// detected.
+constexpr NetContinuationOptions kHandContinuation{2e-3};
 
-/// One digit of a hand at a posture, its tendons as a secant.
+/// Digit of a hand at a posture, its tendons as a secant.
 struct DigitSecant {
   Eigen::MatrixXd B;      // (coordinates, actuators)
   Eigen::VectorXd tau_0;  // [N m] (coordinates)
@@ -76,22 +79,23 @@ struct DigitSecant {
   std::string warning;
 };
 
+/// Computes the secant of one digit between zero tension and t.
 DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
                    const Eigen::VectorXd& t) {
-  // Linear tendons: their arms.
+  // Return the arms of linear tendons.
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
   if (net == nullptr) {
     const TendonTorque pull = tendons.evaluate(q, t);
     return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
             pull.warning};
   }
-  // A net: exact without tension and at the working tension.
-  TendonActuator slackened(tendons, kHandWalk), pulled(tendons, kHandWalk);
+  // Evaluate a net without tension and at the working tension.
+  TendonActuator slackened(tendons, kHandContinuation), pulled(tendons, kHandContinuation);
   const TendonAction& at = pulled.act(q, t);
   const TendonAction& slack = slackened.act(q, Eigen::VectorXd::Zero(t.size()));
   DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.warning};
   if (out.status == ActuationStatus::kExact) out.status = ActuationStatus::kLinearised;
-  // The correction acts through the muscles that pull the net.
+  // Correct B through the muscles that pull the net.
   const Eigen::VectorXd pulls = net->shares().colwise().sum().transpose();
   const Eigen::VectorXd w = (pulls.array() > 0).select(t, 0);
   if (w.squaredNorm() > 0)
@@ -99,8 +103,9 @@ DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
   return out;
 }
 
-void note(ActuationStatus status, const std::string& warning, ActuationStatus& worst,
-          std::string& all) {
+/// Combines a status and a warning with those so far.
+void combine_status(ActuationStatus status, const std::string& warning, ActuationStatus& worst,
+                    std::string& all) {
   worst = std::max(worst, status);
   if (!warning.empty()) all += (all.empty() ? "" : "; ") + warning;
 }
@@ -110,17 +115,17 @@ void note(ActuationStatus status, const std::string& warning, ActuationStatus& w
 Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   Actuation actuation = bones_.actuation(q);  // tau_0 has the passive torque
   const Eigen::Index m = max_force_.size();
-  // One actuator for each muscle, which can only pull.
+  // Set one actuator for each muscle, which can only pull.
   actuation.B = Eigen::MatrixXd::Zero(q.size(), m);
   actuation.lower = Eigen::VectorXd::Zero(m);
   actuation.upper = max_force_;
-  // Digit by digit, in its rows and columns.
+  // Add each digit in its rows and columns.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Place& place = places_[i];
     if (place.actuators.empty()) continue;  // a digit without muscles
     const DigitSecant here =
         secant(*digits_[i], q(place.coordinates), working_share_ * max_force_(place.actuators));
-    note(here.status, here.warning, actuation.status, actuation.warning);
+    combine_status(here.status, here.warning, actuation.status, actuation.warning);
     actuation.tau_0(place.coordinates) += here.tau_0;
     actuation.B(place.coordinates, place.actuators) += here.B;
   }
@@ -128,13 +133,13 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
 }
 
 AppliedTorque TendonHand::applied_torque(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
-  HandActuator actuator(*this, kHandWalk);
-  // Exact torque, with the worst status of the digits.
+  HandActuator actuator(*this, kHandContinuation);
+  // Compute the exact torque, with the worst status of the digits.
   const HandAction& action = actuator.act(q, u);
   AppliedTorque effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
   for (const TendonAction* digit : action.digits)
     if (digit != nullptr)
-      note(status_of(digit->status), digit->warning, effort.status, effort.warning);
+      combine_status(status_of(digit->status), digit->warning, effort.status, effort.warning);
   return effort;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A hand moved by its tendons, digit by digit, on any rung.
+/// Hand moved by its tendons, digit by digit, with any tendon model.
 
 #include <map>
 #include <memory>
@@ -16,25 +16,26 @@ namespace thenar {
 struct HandTendons {
   std::vector<std::unique_ptr<DigitTendons>> digits;
   std::map<std::string, double> max_force;  // F0 of every muscle of the digits [N]
-  double working_share = 0.2;               // of F0 at which a net is linearised, in (0, 1] [1]
+  double working_share = 0.2;  // tension over F0 at which a net is linearised, in (0, 1] [1]
 };
 
-/// A skeleton as a Hand with actuators that can only pull: u = tendon tensions, 0 <= u <= F0.
+/// Skeleton as a Hand with actuators that can only pull: u = tendon tensions, 0 <= u <= F0.
 ///
 /// Digits with linear tendons:  B = R', tau_0 = passive joint torque. A floating net's torque
-/// tau(t) is not linear in the tensions. actuation() takes the secant through no tension and t* =
+/// tau(t) is not linear in the tensions. actuation() uses the secant through zero tension and t* =
 /// working_share F0 that is nearest to the tangent R at t*:
 ///   tau_0 = tau(0) + passive,   B = R(t*)' + (tau(t*) - tau(0) - R(t*)' t*) w' / (w' t*),
 /// where w is t* for the muscles that pull the net and 0 for others: exact at both tensions.
-/// applied_torque() is exact everywhere. Nets come from the straight finger as with TendonActuator,
-/// so both agree with `thenar tendon solve`. Where a net finds no equilibrium the status says so.
-/// Both are for single postures; for a sequence of postures take a HandActuator.
-/// A muscle that crosses joints of two digits is one actuator; its arms about one digit are those
+/// applied_torque() is exact everywhere. Nets are followed from the straight finger as in
+/// TendonActuator, so both agree with `thenar tendon solve`. Where a net finds no equilibrium the
+/// status says so. Both are for single postures; for a sequence of postures use a HandActuator. A
+/// muscle that crosses joints of two digits is one actuator; its arms about one digit are those
 /// with the other at its reference posture.
 class TendonHand final : public Hand {
  public:
-  /// @throws InputError if a digit has a coordinate that the skeleton lacks, a muscle no F0, or F0
-  /// is not positive and finite; or as SkeletonHand.
+  /// Builds the hand.
+  /// @throws InputError if a digit has a coordinate that the skeleton lacks, a muscle has no F0, or
+  /// F0 is not positive and finite; or as SkeletonHand.
   TendonHand(const Skeleton& skeleton, HandTendons tendons, std::vector<LinkSurface> surfaces = {},
              ClosingSynergy use = {});
 
@@ -55,7 +56,7 @@ class TendonHand final : public Hand {
     return bones_.surfaces();
   }
 
-  /// Largest tensions (actuators) [N].
+  /// Returns the largest tensions (actuators) [N].
   [[nodiscard]] const Eigen::VectorXd& max_force() const { return max_force_; }
 
   /// Rows and columns of one digit within the hand.
@@ -65,7 +66,7 @@ class TendonHand final : public Hand {
   [[nodiscard]] const std::vector<std::unique_ptr<DigitTendons>>& digits() const { return digits_; }
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
 
-  /// Torque of passive joints [N m] (coordinates).
+  /// Computes the torque of passive joints [N m] (coordinates).
   [[nodiscard]] Eigen::VectorXd passive(const Eigen::VectorXd& q) const {
     return bones_.actuation(q).tau_0;
   }
@@ -79,13 +80,13 @@ class TendonHand final : public Hand {
   HandLayout layout_;
 };
 
-// Largest torque of the tendons of a hand at each joint alone: limits for a hand of motors.
+// Torque limits of a hand of motors, from tendons.
 
-/// Largest and least torque of each coordinate at posture q,
-///   upper_j = sum_i max(B_ji, 0) upper_i,   lower_j = sum_i min(B_ji, 0) upper_i.
-/// the bounds of each joint's torque if it alone mattered, passive torque aside: a hand of motors
-/// with these limits can do at least as much, as its joints do not share muscles.
-/// @param tendons  a hand whose least tensions are 0
+/// Computes the largest and smallest torque of each coordinate at posture q,
+///   upper_j = sum_i max(B_ji, 0) upper_i,   lower_j = sum_i min(B_ji, 0) upper_i,
+/// the bounds of each joint's torque if it alone mattered, without passive torque. A hand of motors
+/// with these limits can exert at least as much torque, as its joints do not share muscles.
+/// @param tendons  hand whose smallest tensions are 0
 [[nodiscard]] TorqueLimits joint_torque_limits(const Hand& tendons, const Eigen::VectorXd& q);
 
 }  // namespace thenar

@@ -51,7 +51,7 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& specimen_net,
                                           const internal::TangentNet& tangent,
                                           const VectorX<Jet>& pulls, int lane) {
   const Net& net = tangent.net;
-  internal::NetPerturbation input = internal::still(net, state.size());
+  internal::NetPerturbation input = internal::zero_perturbation(net, state.size());
   // Perturb bones and hinges.
   for (std::size_t i = 0; i < state.size(); ++i) {
     input.link[i + 1] = twist_of(state[i].X, lane);
@@ -103,7 +103,7 @@ class NetSlopes {
     // Skip trials in which the net is not differentiable: their slopes are 0.
     for (std::size_t i = 0; i < tangent_.size(); ++i)
       if (at_.trials[i] &&
-          why_not_differentiable(at_.net, at_.trials[i]->rest, kSettledNet).empty())
+          why_not_differentiable(at_.net, at_.trials[i]->rest, kMaxSettledResidual).empty())
         tangent_[i] = std::make_unique<internal::TangentNet>(
             at_.net, at_.trials[i]->state, at_.trials[i]->drive, at_.trials[i]->rest);
   }

@@ -105,7 +105,7 @@ void DigitLines::add_net(const std::string& digit) {
   for (std::size_t k = 0; k < built.muscles.size(); ++k) {
     Source source;
     source.muscle = static_cast<int>(k);
-    const int points = count_points(built.muscles[k].own);
+    const int points = count_points(built.muscles[k].own_path);
     if (points > 1)
       add_line(muscles[built.muscles[k].muscle] + " to net", digit, source,
                std::min(points, kMaxTendonPoints));
@@ -138,7 +138,7 @@ std::vector<Vector3d> DigitLines::line_course(std::size_t line, const TreeState<
   // Dispatch on the source: a band, a muscle up to the net, a wrapped tendon, or a straight one.
   const Source& source = sources_[line];
   if (source.band >= 0) return band_course(net_->net().net, state, rest, source.band).points;
-  if (source.muscle >= 0) return node_points(net_->net().muscles[source.muscle].own, state);
+  if (source.muscle >= 0) return node_points(net_->net().muscles[source.muscle].own_path, state);
   const auto strand = static_cast<std::size_t>(source.strand);
   if (path_of_strand_[strand] >= 0) return wrapped_points(shapes[path_of_strand_[strand]], state);
   return node_points(model().paths[strand], state);
@@ -181,7 +181,7 @@ std::vector<double> DigitLines::tensions(const Eigen::VectorXd& q, const Eigen::
       tensions.push_back(muscle.to_net * t[muscle.muscle]);
     } else {
       const double tension = rest.tension[source.band];
-      tensions.push_back(unbalanced ? kNaN : tension > kTaut ? tension : 0);
+      tensions.push_back(unbalanced ? kNaN : tension > kTautTension ? tension : 0);
     }
   }
   return tensions;

@@ -188,7 +188,7 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const TensionBaseline& 
       net.free_finger().tendons
           ? follow_from_straight(net, q, t).rest
           : follow_net(net, baseline.straight_rest, {net.net().frame.straight, t}, {q, t}).rest;
-  point.pull = net.torque_at_rest(q, t, point.rest);
+  point.pull = net.torque_at_equilibrium(q, t, point.rest);
   point.tip = tip_force(tip_statics(net.digit(), q, t, point.pull), t);
   return point;
 }

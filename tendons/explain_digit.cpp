@@ -23,30 +23,31 @@ class Explainer {
       if (digit_of.name == digit) explain_hood(digit_of);
   }
 
-  DigitExplanation take() { return std::move(says_); }
+  /// Returns the explanation, once.
+  DigitExplanation take() { return std::move(explanation_); }
 
  private:
   void drop(const std::string& what, const std::string& name, const std::string& reason) {
-    says_.dropped.push_back({what, name, reason});
+    explanation_.dropped.push_back({what, name, reason});
   }
 
-  [[nodiscard]] bool kept_segment(const std::string& name) const {
+  [[nodiscard]] bool is_kept_segment(const std::string& name) const {
     return built_.skeleton.link_of_segment.count(name) > 0;
   }
 
   void explain_segment(const Segment& segment) {
-    // Kept segments carry links between the wrist and the tip.
-    if (kept_segment(segment.name))
-      says_.segments.push_back(segment.name);
+    // Keep segments with links between the wrist and the tip.
+    if (is_kept_segment(segment.name))
+      explanation_.segments.push_back(segment.name);
     else
       drop("segment", segment.name, fmt::format("not between wrist and {} tip", digit_));
   }
 
   void explain_joint(const JointAxis& joint) {
-    // Kept as a hinge, or dropped for one of three reasons.
+    // Keep hinges; drop others for one of three reasons.
     if (contains(built_.names.hinges, joint.name)) {
-      says_.joints.push_back(joint.name);
-    } else if (!kept_segment(joint.child)) {
+      explanation_.joints.push_back(joint.name);
+    } else if (!is_kept_segment(joint.child)) {
       drop("joint", joint.name, "moves a segment that is dropped");
     } else if (options_.frozen.count(joint.name) > 0) {
       drop("joint", joint.name,
@@ -60,7 +61,7 @@ class Explainer {
 
   void explain_strand(const Strand& strand) {
     if (contains(built_.names.strands, strand.name))
-      says_.strands.push_back(strand.name);
+      explanation_.strands.push_back(strand.name);
     else if (strand.path.empty() && strand.arms.empty())
       drop("strand", strand.name, "has neither path points nor moment arms");
     else
@@ -69,32 +70,32 @@ class Explainer {
 
   void explain_muscle(const MuscleUnit& muscle) {
     if (contains(built_.names.muscles, muscle.name))
-      says_.muscles.push_back(muscle.name);
+      explanation_.muscles.push_back(muscle.name);
     else
       drop("muscle", muscle.name, "its strand crosses no kept joint");
   }
 
   void explain_hood(const Digit& digit) {
-    // No hood, a hood that was not asked for, or its muscles and slips.
+    // Describe a missing hood, an unused hood, or its muscles and slips.
     if (!digit.hood) {
-      says_.hood = "none stated: every muscle pulls its own strand";
+      explanation_.hood = "none stated: every muscle pulls its own strand";
     } else if (!built_.model.hood) {
-      says_.hood = "dropped: every muscle pulls its own strand";
+      explanation_.hood = "dropped: every muscle pulls its own strand";
       drop("hood", digit.name, "separate tendons were asked for");
     } else {
       const HoodRule& rule = *digit.hood;
       std::vector<std::string> muscles;
       for (const HoodBranch& branch : rule.branches) muscles.push_back(branch.muscle);
-      says_.hood = fmt::format("{} feed central slip {}, bands {} and {}, terminal slip {}",
-                               fmt::join(muscles, ", "), rule.central_slip, rule.radial_band,
-                               rule.ulnar_band, rule.terminal_slip);
+      explanation_.hood = fmt::format("{} feed central slip {}, bands {} and {}, terminal slip {}",
+                                      fmt::join(muscles, ", "), rule.central_slip, rule.radial_band,
+                                      rule.ulnar_band, rule.terminal_slip);
     }
   }
 
   const std::string& digit_;
   const TendonOptions& options_;
   const TendonDigit& built_;
-  DigitExplanation says_;
+  DigitExplanation explanation_;
 };
 
 }  // namespace

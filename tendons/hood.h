@@ -1,6 +1,6 @@
 #pragma once
 
-/// The extensor hood as fixed force fractions, on any scalar.
+/// Extensor hood as fixed force fractions, on any scalar.
 
 #include <cmath>
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace thenar {
 
-/// Share of a muscle's tension that enters the hood, and where it goes.
+/// Share of a muscle's tension that enters the hood, and its distribution there.
 template <typename T>
 struct HoodShare {
   int muscle;     // column of the strand matrix
-  HoodSide side;  // lateral band(s) that it feeds
+  HoodSide side;  // lateral band(s) fed by the muscle
   T into_hood;    // fraction of the tension that enters the hood [1]
-  T to_central;   // fraction of that in the central slip, at kHoodAngle [1]
-  T slope;        // change of its logit per angle of the metacarpophalangeal joint [1/rad]
+  T to_central;   // fraction of the hood's share in the central slip, at kHoodAngle [1]
+  T slope;  // change of the logit of the central fraction per metacarpophalangeal angle [1/rad]
 };
 
 /// Metacarpophalangeal flexion at which `to_central` is stated [rad]: the mean of the four postures
-/// measured in [Synek2019], 40, 55, -20 and 0 degrees: stated at the middle of its data, a fitted
-/// share depends least on the fitted slope. With a slope of 0 any angle does.
+/// measured in [Synek2019], 40, 55, -20 and 0 degrees. In the middle of its data a fitted share
+/// depends least on the fitted slope. With a slope of 0 its value does not matter.
 inline constexpr double kHoodAngle = 0.33;
 
-/// A fraction c moved by u on the logit scale:  logistic(logit(c) + u), exact at c = 0 and 1.
+/// Shifts a fraction c by u on the logit scale:  logistic(logit(c) + u), exact at c = 0 and 1.
 template <typename T>
 [[nodiscard]] T shift_fraction(const T& c, const T& u) {
   using std::exp;
@@ -35,7 +35,7 @@ template <typename T>
   return odds / (T(1) - c + odds);
 }
 
-/// Rows of the strand matrix that belong to the hood.
+/// Rows of the strand matrix for the slips of the hood.
 struct HoodRows {
   int central_slip, radial_band, ulnar_band, terminal_slip;
 };
@@ -43,8 +43,8 @@ struct HoodRows {
 /// Adds the hood to S, the matrix (strands, muscles) of strand tension per muscle tension:
 ///   central  += h c t,   lateral += h (1 - c) t,   terminal = radial + ulnar,
 /// with h = into_hood and c = to_central shifted by  slope (angle - kHoodAngle)  on the logit
-/// scale, because the slips share differently in different postures; a muscle of both sides feeds
-/// each band half. Source: [Synek2019] supplement, where slope = 0.
+/// scale, since the slips share tension differently in different postures. A muscle of both sides
+/// feeds each lateral band half. Source: [Synek2019] supplement, where slope = 0.
 /// @param angle  flexion of the metacarpophalangeal joint [rad]
 template <typename T>
 void add_hood(const HoodRows& rows, const std::vector<HoodShare<T>>& shares, const T& angle,

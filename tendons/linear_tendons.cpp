@@ -13,13 +13,15 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void check(const TendonDigit& digit, const VectorXd& q) {
+/// Checks a posture.
+void check_input(const TendonDigit& digit, const VectorXd& q) {
   require(q.size() == digit.model.coordinates, "posture has {} angles, the digit {} joints",
           q.size(), digit.model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
 }
-void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
-  check(digit, q);
+/// Checks a posture and tensions.
+void check_input(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
+  check_input(digit, q);
   const auto muscles = static_cast<Eigen::Index>(digit.names.muscles.size());
   require(t.size() == muscles, "there are {} tensions for {} muscles", t.size(), muscles);
   for (Eigen::Index m = 0; m < muscles; ++m)
@@ -28,7 +30,7 @@ void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
             t[m]);
 }
 
-/// Moment arms of straight runs through via points, or constant ones, from the digit's own model.
+/// Strands with straight runs through via points, or constant arms, from the digit's own model.
 class StraightStrands : public StrandPaths {
  public:
   explicit StraightStrands(const TendonModel<double>& model) : model_(model) {
@@ -38,15 +40,15 @@ class StraightStrands : public StrandPaths {
     return {strand_arms(model_, state, q), "", TendonStatus::kValid};
   }
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state, const VectorXd& q,
-                                              StrandRoom* /*room*/) const override {
-    // Arms, lengths, and second derivatives of every path.
+                                              StrandWorkspace* /*workspace*/) const override {
+    // Compute arms, lengths, and second derivatives of every path.
     StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
       slopes.dR.push_back(arm_derivatives(model_.tree, state, path, model_.coordinates));
     return slopes;
   }
   [[nodiscard]] VectorXd lengths(const TreeState<double>& state, const VectorXd& q) const override {
-    // Constant arms give lengths that are linear in the posture.
+    // Compute lengths: linear in the posture for constant arms.
     VectorXd length = -model_.constant_arms * q;
     for (std::size_t s = 0; s < model_.paths.size(); ++s)
       if (!model_.paths[s].empty()) length[s] = path_length(state, model_.paths[s]);
@@ -57,17 +59,17 @@ class StraightStrands : public StrandPaths {
   TendonModel<double> model_;
 };
 
-/// d(strand tensions)/d(knuckle angle) when muscles pull with t (strands) [N/rad]: a share c of the
-/// central slip moves by  slope c (1 - c).
+/// Computes d(strand tensions)/d(knuckle angle) for muscle tensions t (strands) [N/rad]: the share
+/// c of the central slip changes by  slope c (1 - c).
 VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const VectorXd& t) {
   VectorXd rate = VectorXd::Zero(static_cast<Eigen::Index>(model.paths.size()));
   if (!model.hood) return rate;
   for (const HoodShare<double>& share : model.hood_shares) {
-    // The central share at this angle, and its derivative.
+    // Compute the rate of the central slip's tension.
     const double by = share.slope * (mcp_angle(model, q) - kHoodAngle);
     const double c = shift_fraction(share.to_central, by);
     const double more = share.into_hood * share.slope * c * (1 - c) * t[share.muscle];
-    // What the central slip gains the bands lose, each its part.
+    // Subtract it from the bands, each by its part.
     const double radial = share.side == HoodSide::kRadial  ? more
                           : share.side == HoodSide::kUlnar ? 0
                                                            : 0.5 * more;
@@ -79,8 +81,8 @@ VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const Ve
   return rate;
 }
 
-/// d(bending up to each coordinate)/dq, of what remaining_tension() sums [1] (coordinates,
-/// coordinates).
+/// Computes d(bending up to each coordinate)/dq, for the sum in remaining_tension() [1]
+/// (coordinates, coordinates).
 MatrixXd bend_rate(const TendonModel<double>& model, const VectorXd& q) {
   MatrixXd rate = MatrixXd::Zero(model.coordinates, model.coordinates);
   for (const SheathBend& bend : model.bends) {
@@ -92,7 +94,7 @@ MatrixXd bend_rate(const TendonModel<double>& model, const VectorXd& q) {
   return rate;
 }
 
-/// Linear in the tensions, whatever the paths.
+/// Tendons whose torque is linear in the tensions, with any paths.
 class LinearTendons : public DigitTendons {
  public:
   LinearTendons(TendonDigit digit, std::unique_ptr<StrandPaths> paths)
@@ -102,12 +104,12 @@ class LinearTendons : public DigitTendons {
 
   TendonTorque evaluate(const VectorXd& q, const VectorXd& t,
                         const Eigen::Matrix3Xd& /*start*/) const override {
-    // Arms of the strands, reduced by friction in the sheaths.
-    check(digit_, q, t);
+    // Compute the arms, then torque and slips.
+    check_input(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     TendonTorque pull;
-    Room room{paths_->room(), {}, {}};
-    set_arms(q, room, pull);
+    Workspace workspace{paths_->make_workspace(), {}, {}};
+    set_arms(q, workspace, pull);
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
     return pull;
@@ -117,24 +119,24 @@ class LinearTendons : public DigitTendons {
     return std::make_unique<Arms>(*this);
   }
 
-  /// Scratch memory of set_arms(); it does not affect results.
-  struct Room {
-    std::unique_ptr<StrandRoom> paths;
+  /// Workspace of set_arms(); it does not affect results.
+  struct Workspace {
+    std::unique_ptr<StrandWorkspace> paths;
     TreeState<double> state;
     StrandArms arms;
   };
 
-  /// R, warning and status of a torque.
-  void set_arms(const VectorXd& q, Room& room, TendonTorque& pull) const {
+  /// Sets R, warning and status of a torque.
+  void set_arms(const VectorXd& q, Workspace& workspace, TendonTorque& pull) const {
     const TendonModel<double>& model = digit_.model;
-    StrandArms& arms = room.arms;
-    pose_tree_over(model.tree, q, room.state);
-    paths_->set_arms(room.state, q, room.paths.get(), arms);
+    StrandArms& arms = workspace.arms;
+    pose_tree_over(model.tree, q, workspace.state);
+    paths_->set_arms(workspace.state, q, workspace.paths.get(), arms);
     for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
       if (model.friction[s] != 0)
         arms.R.row(s) =
             arms.R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
-    // Muscles pull strands in the shares of the hood; without one, each its own.
+    // Distribute the strands' arms over muscles by the hood; without one, each muscle has its own.
     if (model.hood) {
       pull.R = strand_matrix(model, q).transpose() * arms.R;
     } else {
@@ -149,40 +151,42 @@ class LinearTendons : public DigitTendons {
 
   [[nodiscard]] VectorXd lengths(const VectorXd& q, const VectorXd& t,
                                  const TendonTorque& /*at*/) const override {
-    check(digit_, q, t);
+    check_input(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     return strand_matrix(model, q).transpose() * paths_->lengths(pose_tree(model.tree, q), q);
   }
 
-  /// Arms posture after posture.
+  /// Solver for arms at many postures.
   class Arms final : public ArmSolver {
    public:
-    explicit Arms(const LinearTendons& of) : of_(&of), room_{of.paths_->room(), {}, {}} {}
+    explicit Arms(const LinearTendons& of)
+        : of_(&of), workspace_{of.paths_->make_workspace(), {}, {}} {}
     void solve(const VectorXd& q, TendonTorque& out) override {
-      check(of_->digit_, q);
-      of_->set_arms(q, room_, out);
+      check_input(of_->digit_, q);
+      of_->set_arms(q, workspace_, out);
     }
     void slopes(const VectorXd& q, ArmSlopes& out) override {
-      check(of_->digit_, q);
-      of_->set_slopes(q, room_, out);
+      check_input(of_->digit_, q);
+      of_->set_slopes(q, workspace_, out);
     }
 
    private:
     const LinearTendons* of_;
-    Room room_;
+    Workspace workspace_;
   };
 
-  /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
+  /// Computes the derivatives of  tau_j = sum over strands of f_s remaining_sj R_sj,  f = S t; each
+  /// factor may change with posture.
   [[nodiscard]] TendonDerivatives derivatives(const VectorXd& q, const VectorXd& t) const override {
-    check(digit_, q, t);
+    check_input(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
-    // Shares, arms and their derivatives at this posture.
+    // Compute shares, arms and their derivatives at this posture.
     const MatrixXd S = strand_matrix(model, q);
     const StrandDerivatives strands = paths_->derivatives(pose_tree(model.tree, q), q, nullptr);
     TendonDerivatives out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
                           S.transpose() * strands.length};
     if (!out.exist) return out;
-    // Strand tensions, and their derivative by the knuckle's angle.
+    // Add each strand with its tension and the tension's derivative by the knuckle's angle.
     const VectorXd f = S * t, f_rate = hood_rate(model, q, t);
     const MatrixXd bending = bend_rate(model, q);
     for (Eigen::Index s = 0; s < f.size(); ++s)
@@ -190,14 +194,15 @@ class LinearTendons : public DigitTendons {
     return out;
   }
 
-  /// ArmSlopes at a posture.
-  void set_slopes(const VectorXd& q, Room& room, ArmSlopes& out) const {
+  /// Computes ArmSlopes at a posture.
+  void set_slopes(const VectorXd& q, Workspace& workspace, ArmSlopes& out) const {
     const TendonModel<double>& model = digit_.model;
-    pose_tree_over(model.tree, q, room.state);
-    const StrandDerivatives strands = paths_->derivatives(room.state, q, room.paths.get());
+    pose_tree_over(model.tree, q, workspace.state);
+    const StrandDerivatives strands =
+        paths_->derivatives(workspace.state, q, workspace.paths.get());
     out.exist = strands.exist;
     if (!out.exist) return;
-    // Each muscle's strands under its unit tension.
+    // Add each muscle's strands under its unit tension.
     const MatrixXd S = strand_matrix(model, q), bending = bend_rate(model, q);
     const Eigen::Index n = q.size(), muscles = S.cols();
     out.of_pair.resize(n * (n + 1) / 2, muscles);
@@ -215,14 +220,14 @@ class LinearTendons : public DigitTendons {
   }
 
  private:
-  /// A strand under tension.
+  /// Strand under tension.
   struct PulledStrand {
-    Eigen::Index number;
-    double tension;  // [N]
-    double rate;     // of that by the knuckle's angle [N/rad]
+    Eigen::Index number;  // row of the strand matrix
+    double tension;       // [N]
+    double rate;          // derivative of the tension by the knuckle's angle [N/rad]
   };
 
-  /// Adds what it does to d tau/dq: product rule over share, friction and arm.
+  /// Adds the part of a strand in d tau/dq: product rule over share, friction and arm.
   void add_strand(const PulledStrand& strand, const VectorXd& q, const StrandDerivatives& strands,
                   const MatrixXd& bending, MatrixXd& by_posture) const {
     const auto& [s, f, f_rate] = strand;
@@ -260,11 +265,11 @@ std::unique_ptr<DigitTendons> straight_tendons(TendonDigit digit) {
 
 std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject, const std::string& digit,
                                                    const TendonOptions& options) {
-  // The rung of the hood is linear.
+  // Check that the hood model is linear.
   require(options.hood <= Hood::kFractions,
           "a hood that floats is no linear map of tensions: build a net");
   TendonDigit built = build_tendon_digit(subject, digit, options);
-  // Paths on the rung that is asked for.
+  // Build the requested paths.
   std::unique_ptr<StrandPaths> paths;
   if (options.path == Path::kWrapped)
     paths = build_wrapped_paths(subject, built);

@@ -9,12 +9,12 @@ namespace thenar {
 
 AxisOffset axis_offset(const Hinge<double>& first, const Hinge<double>& second,
                        const Eigen::Vector3d& distal) {
-  // Axes with a smaller sine of their angle are parallel [1]
+  // Sine of the angle below which axes are parallel [1]
   constexpr double kParallelSine = 1e-12;
   const Eigen::Vector3d& a = first.direction;
   const Eigen::Vector3d apart = second.point - first.point, n = a.cross(second.direction);
   const double angle = std::atan2(n.norm(), std::abs(a.dot(second.direction)));
-  // Parallel axes have many common normals, all of them alike.
+  // Compute the common normal; that of parallel axes is perpendicular to both.
   const Eigen::Vector3d normal = n.norm() < kParallelSine
                                      ? Eigen::Vector3d(apart - a * a.dot(apart))
                                      : Eigen::Vector3d(n * (apart.dot(n) / n.squaredNorm()));
@@ -44,7 +44,7 @@ std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
   for (const LinkState<double>& link : state) points.push_back(link.point);
   const std::vector<Eigen::Vector3d> given = points;
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
-  // Rounds in which each joint slides to the middle of its neighbours
+  // Number of rounds in which each point slides towards the midpoint of its neighbours
   constexpr int kSlideRounds = 50;
   for (int round = 0; round < kSlideRounds; ++round)
     for (std::size_t i = 0; i < points.size(); ++i) {

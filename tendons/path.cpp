@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A straight run of a tendon between two links, world.
+/// Straight run of a tendon between two links, world frame.
 struct LinkRun {
   int link_a, link_b;
   Vector3d a, b;  // [m] (3)
@@ -20,7 +20,8 @@ struct RunMotion {
   Vector3d r;
 };
 
-/// Motions by all hinges between the links of a run, climbing to their common ancestor.
+/// Collects the motions by all hinges between the links of a run, climbing to their common
+/// ancestor.
 void find_motions(const Tree<double>& tree, const TreeState<double>& state, const LinkRun& run,
                   std::vector<RunMotion>& moves) {
   moves.clear();
@@ -42,13 +43,13 @@ Eigen::MatrixXd arm_derivatives(const Tree<double>& tree, const TreeState<double
   std::vector<RunMotion> moves;
   for (std::size_t k = 1; k < path.size(); ++k) {
     if (path[k - 1].link == path[k].link) continue;
-    // Direction of the run, and how each hinge moves its ends.
+    // Compute the direction of the run, and the motion of its ends by each hinge.
     const LinkRun run{path[k - 1].link, path[k].link, moved(state, path[k - 1].link, path[k - 1].p),
                       moved(state, path[k].link, path[k].p)};
     const double length = (run.b - run.a).norm();
     const Vector3d u = (run.b - run.a) / length;
     find_motions(tree, state, run, moves);
-    // Second derivative by two hinges: across the run, and by the turn of the outer motion.
+    // Add the second derivative by two hinges: across the run, and by rotation of the outer motion.
     for (const RunMotion& x : moves)
       for (const RunMotion& y : moves) {
         const RunMotion &inner = x.hinge < y.hinge ? x : y, &outer = x.hinge < y.hinge ? y : x;

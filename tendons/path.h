@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tendons as straight runs through points fixed in bones, on any scalar.
+/// Tendons as straight runs through via points fixed in bones, on any scalar.
 
 #include <vector>
 
@@ -8,17 +8,17 @@
 
 namespace thenar {
 
-/// A point that a tendon runs through.
+/// Via point of a tendon.
 template <typename T>
 struct PathNode {
   int link;   // link that carries it; -1: the base
-  Vec3<T> p;  // at the reference posture [m] (3)
+  Vec3<T> p;  // position at the reference posture [m] (3)
 };
 
 template <typename T>
 using TendonPath = std::vector<PathNode<T>>;
 
-/// Length of a path  L = sum |p_{k+1} - p_k|  [m].
+/// Computes the length of a path,  L = sum |p_{k+1} - p_k|  [m].
 template <typename T>
 [[nodiscard]] T path_length(const TreeState<T>& state, const TendonPath<T>& path) {
   T length(0);
@@ -29,9 +29,9 @@ template <typename T>
   return length;
 }
 
-/// Moment arms of a path by virtual work,  R_j = -dL/dq_j,  flexion positive where the tendon
-/// shortens in flexion. Only hinges between the two links of a run contribute to it.
-/// Zero-length runs have no direction and are not allowed between links (checked at build).
+/// Computes the moment arms of a path by virtual work,  R_j = -dL/dq_j: positive where the tendon
+/// shortens in flexion. Only hinges between the two links of a run contribute to it. Runs of zero
+/// length have no direction and must not connect different links (checked at build).
 /// @return row of moment arms [m/rad] (coordinates)
 /// Source: [An1983] for the sign.
 template <typename T>
@@ -62,12 +62,12 @@ template <typename T>
 
 // Derivatives of the moment arms of straight runs by posture, in closed form.
 
-/// Derivatives of moment_arms(),  dR_j/dq_k = -d2L/(dq_j dq_k),  symmetric.
+/// Computes the derivatives of moment_arms(),  dR_j/dq_k = -d2L/(dq_j dq_k),  symmetric.
 ///
 /// For one run r from a to b with direction u, only hinges between its links count. With axis z_j
 /// through c_j, r_j = z_j x (b - c_j) on the side of b and -z_j x (a - c_j) on that of a,
 ///   d2|r| = r_j . (1 - u u') r_k / |r| + u . (z_j x r_k),
-/// with j the hinge nearer the base; the last term only for two hinges of one side.
+/// with j the hinge nearer the base; the last term only for two hinges on the same side.
 /// @return [m/rad^2] (coordinates, coordinates)
 [[nodiscard]] Eigen::MatrixXd arm_derivatives(const Tree<double>& tree,
                                               const TreeState<double>& state,

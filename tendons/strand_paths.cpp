@@ -11,6 +11,7 @@
 namespace thenar {
 namespace {
 
+/// Describes the problem of a path; empty: none.
 std::string warning_of(const PathShape& shape, const std::string& name) {
   switch (shape.status) {
     case PathStatus::kTaut:
@@ -30,20 +31,22 @@ std::string warning_of(const PathShape& shape, const std::string& name) {
   return "";
 }
 
+/// Converts the status of a path.
 TendonStatus status_of(PathStatus status) {
   if (status == PathStatus::kTaut) return TendonStatus::kValid;
   return status == PathStatus::kRidesOnBend ? TendonStatus::kApproximate
                                             : TendonStatus::kInvalidPath;
 }
 
+/// Strands as geodesics over surfaces.
 class WrappedStrands : public StrandPaths {
  public:
   WrappedStrands(PathSet set, const TendonDigit& digit)
       : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
-    // Path of each strand; those without one keep constant arms.
+    // Find the path of each strand; those without one keep constant arms.
     for (const std::string& name : digit.names.strands)
       path_of_.push_back(place_named(set_.paths, name));
-    // Strand of each path; those that only carry another have none.
+    // Find the strand of each path; those that only carry another have none.
     strand_of_.assign(set_.paths.size(), -1);
     for (std::size_t s = 0; s < path_of_.size(); ++s)
       if (path_of_[s] >= 0) strand_of_[path_of_[s]] = static_cast<int>(s);
@@ -52,22 +55,22 @@ class WrappedStrands : public StrandPaths {
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
                                 const Eigen::VectorXd& q) const override {
     StrandArms arms;
-    set_arms(state, q, room().get(), arms);
+    set_arms(state, q, make_workspace().get(), arms);
     return arms;
   }
 
-  [[nodiscard]] std::unique_ptr<StrandRoom> room() const override {
-    return std::make_unique<StrandRoom>(StrandRoom{PathSolver(set_)});
+  [[nodiscard]] std::unique_ptr<StrandWorkspace> make_workspace() const override {
+    return std::make_unique<StrandWorkspace>(StrandWorkspace{PathSolver(set_)});
   }
 
-  void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/, StrandRoom* room,
-                StrandArms& arms) const override {
-    // Geodesics at this posture.
-    const std::vector<PathShape>& shapes = room->solver.solve_for_arms(state);
+  void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/,
+                StrandWorkspace* workspace, StrandArms& arms) const override {
+    // Solve the geodesics at this posture.
+    const std::vector<PathShape>& shapes = workspace->solver.solve_for_arms(state);
     set_rows(state, shapes, arms.R);
     arms.warning.clear();
     arms.status = TendonStatus::kValid;
-    // The worst status of all strands, with its warning.
+    // Find the worst status of all strands, with its warning.
     for (const int number : path_of_) {
       if (number < 0) continue;
       const auto path = static_cast<std::size_t>(number);
@@ -79,14 +82,16 @@ class WrappedStrands : public StrandPaths {
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
                                               const Eigen::VectorXd& q,
-                                              StrandRoom* room) const override {
-    const std::unique_ptr<StrandRoom> own = room == nullptr ? this->room() : nullptr;
-    const std::vector<PathShape>& shapes = (own ? own.get() : room)->solver.solve_for_arms(state);
-    // Second derivatives of all paths.
+                                              StrandWorkspace* workspace) const override {
+    const std::unique_ptr<StrandWorkspace> own =
+        workspace == nullptr ? this->make_workspace() : nullptr;
+    const std::vector<PathShape>& shapes =
+        (own ? own.get() : workspace)->solver.solve_for_arms(state);
+    // Compute the second derivatives of all paths.
     std::vector<ArmDerivatives> paths =
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
     StrandDerivatives slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
-    // Strands without a path have constant arms.
+    // Copy them to the strands; those without a path have constant arms.
     for (const int number : path_of_) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
       if (number < 0) continue;
@@ -104,17 +109,17 @@ class WrappedStrands : public StrandPaths {
   }
 
  private:
-  /// Returns the lengths of all strands (strands) [m].
+  /// Computes the lengths of all strands (strands) [m].
   [[nodiscard]] Eigen::VectorXd lengths_of(const std::vector<PathShape>& shapes,
                                            const Eigen::VectorXd& q) const {
-    // Constant arms give lengths that are linear in the posture.
+    // Compute lengths: linear in the posture for constant arms.
     Eigen::VectorXd length = -constant_ * q;
     for (std::size_t s = 0; s < path_of_.size(); ++s)
       if (path_of_[s] >= 0) length[s] = shapes[path_of_[s]].length;
     return length;
   }
 
-  /// Arms of all strands (strands, coordinates) [m/rad].
+  /// Computes the arms of all strands (strands, coordinates) [m/rad].
   [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
                                         const std::vector<PathShape>& shapes) const {
     Eigen::MatrixXd R;
@@ -122,19 +127,19 @@ class WrappedStrands : public StrandPaths {
     return R;
   }
 
-  /// Writes the arms of all strands over R (strands, coordinates) [m/rad].
+  /// Overwrites R with the arms of all strands (strands, coordinates) [m/rad].
   void set_rows(const TreeState<double>& state, const std::vector<PathShape>& shapes,
                 Eigen::MatrixXd& R) const {
-    // Rows of the paths replace the constant ones.
+    // Start with the constant arms, and overwrite the rows of paths.
     R = constant_;
     path_arms(tree_, state, set_, shapes, strand_of_, R);
   }
 
   PathSet set_;
   Tree<double> tree_;
-  Eigen::MatrixXd constant_;    // (strands, coordinates) [m/rad]
-  std::vector<int> path_of_;    // of each strand; -1: constant arms
-  std::vector<int> strand_of_;  // of each path; -1: it only carries another
+  Eigen::MatrixXd constant_;
+  std::vector<int> path_of_;    // path of each strand; -1: constant arms
+  std::vector<int> strand_of_;  // strand of each path; -1: it only carries another
 };
 
 }  // namespace
@@ -148,32 +153,33 @@ std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const T
 
 namespace {
 
-// Warn of a larger possible error of an arm: a tenth of a flexor's at finger joints [m/rad]
-constexpr double kToldArmError = 1e-3;
+// Largest arm error without a warning: a tenth of a flexor's arm at finger joints [m/rad]
+constexpr double kMaxUnreportedArmError = 1e-3;
 
-/// The path whose arms may be furthest off, in words; empty: all are near.
+/// Describes the path with the largest arm error; empty: all errors are small.
 std::string worst_fit(const std::vector<FittedPath>& paths) {
   const auto worst =
       std::max_element(paths.begin(), paths.end(), [](const FittedPath& a, const FittedPath& b) {
         return a.error.arm_bound < b.error.arm_bound;
       });
-  if (worst == paths.end() || worst->error.arm_bound <= kToldArmError) return "";
+  if (worst == paths.end() || worst->error.arm_bound <= kMaxUnreportedArmError) return "";
   return fmt::format("fitted arms of '{}' may be off by {:.2g} mm/rad", worst->name,
                      1e3 * worst->error.arm_bound);
 }
 
+/// Strands as fitted polynomials.
 class FittedStrands : public StrandPaths {
  public:
   FittedStrands(const Subject& subject, const TendonDigit& digit, int order)
       : box_(fit_box(digit.skeleton)),
         names_(digit.names.coordinates),
         constant_(digit.model.constant_arms) {
-    // Strands that have a path.
+    // Build the paths of strands that have one.
     std::vector<std::string> with_path;
     for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
       if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
     const PathSet set = build_paths(subject, digit.skeleton, with_path);
-    // Each wrapped path is fitted over the ranges of its joints.
+    // Fit each wrapped path over the ranges of its joints.
     for (std::size_t k = 0; k < set.paths.size(); ++k) {
       const auto strand =
           std::find(digit.names.strands.begin(), digit.names.strands.end(), set.paths[k].name);
@@ -186,12 +192,12 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
                                 const Eigen::VectorXd& q) const override {
-    // Polynomials at this posture.
+    // Evaluate the polynomials at this posture.
     StrandArms arms{constant_, worst_fit_,
                     worst_fit_.empty() ? TendonStatus::kValid : TendonStatus::kApproximate};
     for (std::size_t k = 0; k < paths_.size(); ++k)
       arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
-    // Outside of the ranges they are not valid.
+    // Warn outside the ranges, where they are not valid.
     for (Eigen::Index j = 0; j < q.size(); ++j)
       if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
         arms.status = TendonStatus::kOutOfRange;
@@ -203,8 +209,8 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& /*state*/,
                                               const Eigen::VectorXd& q,
-                                              StrandRoom* /*room*/) const override {
-    // Constant arms, then the polynomials with their derivatives.
+                                              StrandWorkspace* /*workspace*/) const override {
+    // Start with constant arms, and overwrite the rows of fitted paths.
     StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),
                      Eigen::MatrixXd::Zero(q.size(), q.size()));
@@ -231,7 +237,7 @@ class FittedStrands : public StrandPaths {
   Eigen::MatrixXd constant_;
   std::vector<Eigen::Index> row_;  // strand of each fitted path
   std::vector<FittedPath> paths_;
-  std::string worst_fit_;  // why not to trust them at any posture
+  std::string worst_fit_;  // warning at every posture; may be empty
 };
 
 }  // namespace

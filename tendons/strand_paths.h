@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moment arms of a digit's strands on the rungs of paths above via points.
+/// Moment arms of a digit's strands for wrapped and fitted paths.
 
 #include <memory>
 #include <string>
@@ -11,59 +11,64 @@
 
 namespace thenar {
 
-/// Moment arms at one posture, before friction in sheaths.
+/// Moment arms of all strands at one posture, without friction in sheaths.
 struct [[nodiscard]] StrandArms {
-  Eigen::MatrixXd R;                           // flexion + (strands, coordinates) [m/rad]
-  std::string warning;                         // why not to trust them; may be empty
-  TendonStatus status = TendonStatus::kValid;  // the worst of all strands
+  Eigen::MatrixXd R;    // moment arms, flexion positive [m/rad] (strands, coordinates)
+  std::string warning;  // reason for a poor `status`; may be empty
+  TendonStatus status = TendonStatus::kValid;  // worst status of all strands
 };
 
-/// Lengths, arms and their derivatives at one posture, before friction in sheaths.
+/// Lengths, arms and arm derivatives of all strands at one posture, without friction in sheaths.
 struct [[nodiscard]] StrandDerivatives {
-  bool exist = true;                // false: a strand is not differentiable here
-  Eigen::MatrixXd R;                // as of StrandArms
-  Eigen::VectorXd length;           // [m]; of strands with constant arms  -R q (strands)
-  std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)
+  bool exist = true;       // false: a strand is not differentiable here
+  Eigen::MatrixXd R;       // moment arms, as in StrandArms
+  Eigen::VectorXd length;  // strand lengths [m] (strands); -R q where arms are constant
+  /// D R_j/d q_k, one matrix (coordinates, coordinates) per strand [m/rad^2] (strands).
+  std::vector<Eigen::MatrixXd> dR;
 };
 
-/// Scratch memory for arms of wrapped strands; it does not affect results.
-struct StrandRoom {
+/// Workspace for arms of wrapped strands; it does not affect results.
+struct StrandWorkspace {
   PathSolver solver;
 };
 
-/// The paths of a digit's strands on one rung.
+/// Paths of a digit's strands, wrapped or fitted.
 class StrandPaths {
  public:
   virtual ~StrandPaths() = default;
+  /// Computes the moment arms of all strands.
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
-  /// Returns scratch memory for set_arms(), which these paths must outlive; null: they need none.
-  [[nodiscard]] virtual std::unique_ptr<StrandRoom> room() const { return nullptr; }
-  /// Writes arms() over `out`. @param room  by room()
+  /// Returns a workspace for set_arms(), which these paths must outlive; null where none is needed.
+  [[nodiscard]] virtual std::unique_ptr<StrandWorkspace> make_workspace() const { return nullptr; }
+  /// Overwrites `out` with arms(). @param workspace  from make_workspace()
   virtual void set_arms(const TreeState<double>& state, const Eigen::VectorXd& q,
-                        StrandRoom* /*room*/, StrandArms& out) const {
+                        StrandWorkspace* /*workspace*/, StrandArms& out) const {
     out = arms(state, q);
   }
-  /// Returns the lengths of StrandDerivatives (strands) [m].
+  /// Computes the strand lengths, as in StrandDerivatives (strands) [m].
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;
-  /// @param room  by room(); null: it has one of its own
+  /// Computes lengths, arms and arm derivatives of all strands.
+  /// @param workspace  from make_workspace(); null: one is made for this call
   [[nodiscard]] virtual StrandDerivatives derivatives(const TreeState<double>& state,
                                                       const Eigen::VectorXd& q,
-                                                      StrandRoom* room) const = 0;
+                                                      StrandWorkspace* workspace) const = 0;
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
                                               const Eigen::VectorXd& q) const {
     return derivatives(state, q, nullptr);
   }
 };
 
-/// Geodesics over the subject's surfaces; strands without a path keep their constant arms.
+/// Builds paths as geodesics over the subject's surfaces; strands without a path keep constant
+/// arms.
 /// @throws InputError as build_paths().
 [[nodiscard]] std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject,
                                                                const TendonDigit& digit);
 
-/// Polynomials of posture over the joints' ranges, fitted to those geodesics; see fit_path().
-/// @param order  of the polynomials in each coordinate
+/// Builds paths as polynomials of posture over the joints' ranges, fitted to geodesics by
+/// fit_path().
+/// @param order  order of the polynomials in each coordinate
 /// @throws InputError as build_paths() and fit_path().
 [[nodiscard]] std::unique_ptr<StrandPaths> build_fitted_paths(const Subject& subject,
                                                               const TendonDigit& digit,

@@ -10,15 +10,16 @@
 namespace thenar {
 namespace {
 
+/// Returns a digit of the subject. @throws InputError if there is none
 const Digit& digit_of(const Subject& subject, const std::string& name) {
   if (const Digit* digit = find_named(subject.digits, name)) return *digit;
   throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
 }
 
-/// Path with points on the kept links; points on dropped segments end it, surfaces do not bend it.
+/// Builds a path from the points on kept links, without surfaces.
 TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   TendonPath<double> path;
-  // Points on kept links; a run across a joint needs a length.
+  // Collect points on kept links, and check that runs across a joint have a length.
   for (const PathPoint& point : strand.path) {
     if (!point.surface.empty()) continue;
     const auto link = skeleton.link_of_segment.find(point.segment);
@@ -31,30 +32,30 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   return path;
 }
 
-/// Cosine to the digit's flexion direction above which a joint flexes: 45 degrees, half way to a
-/// joint that purely abducts or pronates, so every joint counts as what it does more of. A choice
-/// of ours, not a measured number.
+/// Cosine between a joint's axis and the digit's flexion direction above which the joint
+/// flexes [1]: 45 degrees, half way to a joint that purely abducts or pronates, so every joint
+/// counts by its larger part. Our choice, not a measurement.
 constexpr double kFlexionCosine = 0.7071;
 
 bool crosses_a_joint(const TendonPath<double>& path) {
   return any_of(path, [&](const PathNode<double>& node) { return node.link != path.front().link; });
 }
 
-/// Joints frozen by name, and the wrist_mode unless it is free.
+/// Returns the joints frozen by name, and the wrist unless it is free.
 std::map<std::string, double> frozen_joints(const Subject& subject, const TendonOptions& options) {
-  // A welded wrist stands at its reference posture.
+  // Freeze a welded wrist at its reference posture.
   std::map<std::string, double> frozen = options.frozen;
   if (options.wrist_mode == WristMode::kWelded)
     for (const std::string& joint : shared_joints(subject)) frozen.emplace(joint, 0);
   return frozen;
 }
 
-/// Builds the parts of one digit in order: strands, muscles, hood.
+/// Builder of one digit: bones, strands, muscles and hood, in this order.
 class DigitBuilder {
  public:
   DigitBuilder(const Subject& subject, const std::string& name, const TendonOptions& options)
       : subject_(subject), digit_(digit_of(subject, name)), options_(options) {
-    // Bones first, then strands, muscles and the hood that joins them.
+    // Build bones, then strands, muscles and the hood.
     built_.skeleton = build_skeleton(subject, {{name}, frozen_joints(subject, options)});
     built_.calibrated_on = subject.calibrated_on;
     set_bones();
@@ -63,7 +64,7 @@ class DigitBuilder {
     for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);
     set_actions();
     if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
-    // Arrays, and the rungs that were really built.
+    // Fill the arrays, and store the actual level of detail.
     built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
         max_tension_.data(), static_cast<Eigen::Index>(max_tension_.size()));
     built_.model.friction = Eigen::VectorXd::Zero(built_.model.constant_arms.rows());
@@ -74,6 +75,7 @@ class DigitBuilder {
   TendonDigit take() { return std::move(built_); }
 
  private:
+  /// Copies tree, tip and names of the skeleton.
   void set_bones() {
     const Skeleton& skeleton = built_.skeleton;
     const SkeletonTip& tip = thenar::tip(skeleton, digit_.name);
@@ -86,17 +88,18 @@ class DigitBuilder {
     built_.names.hinges = skeleton.hinge_names;
   }
 
+  /// Returns whether the segment that a joint moves is kept.
   [[nodiscard]] bool kept(const JointAxis& joint) const {
     return built_.skeleton.link_of_segment.count(joint.child) > 0;
   }
 
-  /// Cosine between a joint's axis and the direction about which the digit flexes: the radial one
-  /// of a right hand, the ulnar one of a left hand.
-  [[nodiscard]] double flexion(const JointAxis& joint) const {
+  /// Computes the cosine between a joint's axis and the direction about which the digit flexes: the
+  /// radial one of a right hand, the ulnar one of a left hand.
+  [[nodiscard]] double flexion_cosine(const JointAxis& joint) const {
     return joint.direction.dot(digit_.proximal.cross(digit_.dorsal));
   }
 
-  /// The angle that a joint of the digit takes, or is frozen at.
+  /// Returns the angle of a joint of the digit, as a function of posture or frozen.
   [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
     const int i = place_in(built_.names.hinges, joint.name);
     if (i >= 0) {
@@ -108,13 +111,14 @@ class DigitBuilder {
     return at == frozen.end() ? PostureAngle{} : PostureAngle{-1, 0, at->second};
   }
 
+  /// Sets the sheath bends.
   void set_bends() {
-    // Every flexion joint bends the sheaths, also a frozen one.
+    // Add every flexion joint, frozen ones included.
     std::vector<SheathBend>& bends = built_.model.bends;
     for (const JointAxis& joint : subject_.joints)
-      if (kept(joint) && std::abs(flexion(joint)) > kFlexionCosine)
+      if (kept(joint) && std::abs(flexion_cosine(joint)) > kFlexionCosine)
         bends.push_back({angle_of(joint), built_.model.coordinates});
-    // A coordinate feels a bend if all joints that it moves lie beyond.
+    // Find the first coordinate all of whose joints lie beyond each bend.
     int before = -1;
     for (std::size_t k = 0; k < bends.size(); ++k) {
       before = std::max(before, bends[k].angle.coordinate);
@@ -133,17 +137,18 @@ class DigitBuilder {
     });
   }
 
-  /// Flexion of the joint before the last one that the central slip crosses.
+  /// Finds the metacarpophalangeal angle: that of the flexion joint before the last one that the
+  /// central slip crosses.
   [[nodiscard]] PostureAngle knuckle(const std::string& central_slip) const {
-    // Flexion joints from the wrist outwards, and how many of them the slip crosses.
+    // Collect flexion joints from the wrist outwards, and count those that the slip crosses.
     const Strand* slip = find_named(subject_.strands, central_slip);
-    std::vector<PostureAngle> flexions;  // from the wrist outwards, flexion positive
-    std::size_t crossed = 0;             // of them up to the middle phalanx
+    std::vector<PostureAngle> flexions;  // flexion positive
+    std::size_t crossed = 0;             // number of flexion joints up to the middle phalanx
     for (const JointAxis& joint : subject_.joints) {
       if (!kept(joint)) continue;
-      if (std::abs(flexion(joint)) > kFlexionCosine) {
+      if (std::abs(flexion_cosine(joint)) > kFlexionCosine) {
         const PostureAngle angle = angle_of(joint);
-        const double sign = flexion(joint) > 0 ? 1 : -1;
+        const double sign = flexion_cosine(joint) > 0 ? 1 : -1;
         flexions.push_back({angle.coordinate, sign * angle.ratio, sign * angle.offset});
       }
       if (reaches(*slip, joint)) crossed = flexions.size();
@@ -151,7 +156,7 @@ class DigitBuilder {
     return crossed < 2 ? PostureAngle{} : flexions[crossed - 2];
   }
 
-  /// The rung that the paths are really on, which the subject's data may keep below the one asked.
+  /// Returns the actual path model, which the subject's data may keep below the requested one.
   [[nodiscard]] Path built_path() const {
     const auto& paths = built_.model.paths;
     if (paths.empty()) return Path::kNone;
@@ -160,8 +165,8 @@ class DigitBuilder {
     return constant ? Path::kConstant : std::min(options_.path, Path::kViaPoint);
   }
 
-  /// Constant arms of a strand at the kept coordinates; a coupled joint adds its own, times its
-  /// ratio, to its leader's [m/rad].
+  /// Computes the constant arms of a strand at the kept coordinates; a coupled joint adds its own,
+  /// times its ratio, to its leader's [m/rad].
   [[nodiscard]] Eigen::RowVectorXd arms_of(const Strand& strand) const {
     Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(built_.model.coordinates);
     for (const auto& [joint, arm] : strand.arms) {
@@ -173,8 +178,8 @@ class DigitBuilder {
     return arms;
   }
 
-  /// A band of the hood, or what a muscle of the hood pulls, counts even where its own joint is
-  /// frozen: the tension goes on to the other bands.
+  /// Returns whether a strand is a band of the hood or pulled by a muscle of the hood: it is kept
+  /// even if its own joint is frozen, since its tension continues into other bands.
   [[nodiscard]] bool in_hood(const std::string& strand) const {
     if (!digit_.hood || options_.hood != Hood::kFractions) return false;
     const HoodRule& rule = *digit_.hood;
@@ -186,27 +191,28 @@ class DigitBuilder {
            strand == rule.terminal_slip || any_of(rule.branches, pulls);
   }
 
-  /// Returns whether a muscle that counts whatever it crosses pulls the strand.
+  /// Returns whether a muscle of `options.kept` pulls the strand.
   [[nodiscard]] bool is_kept(const std::string& strand) const {
     const std::vector<std::string>& kept = options_.kept;
     return any_of(subject_.muscles,
                   [&](const auto& m) { return m.strand == strand && contains(kept, m.name); });
   }
 
+  /// Adds a strand that crosses a joint or that is needed otherwise.
   void add_strand(const Strand& strand) {
     TendonModel<double>& model = built_.model;
-    // Path and constant arms; without either the strand crosses nothing.
+    // Find path and constant arms; leave out a strand with neither.
     const Eigen::RowVectorXd arms = arms_of(strand);
     TendonPath<double> path;
     if (options_.path != Path::kConstant || strand.arms.empty())
       path = kept_path(built_.skeleton, strand);
     if (!crosses_a_joint(path)) path.clear();
     if (path.empty() && arms.isZero(0) && !in_hood(strand.name) && !is_kept(strand.name)) return;
-    // Constant arms were asked for, and there are none.
+    // Check that requested constant arms exist.
     require(path.empty() || options_.path != Path::kConstant,
             "strand '{}' of subject '{}' has no constant moment arms (arms_mm)", strand.name,
             subject_.name);
-    // One row more.
+    // Append a row.
     model.paths.push_back(std::move(path));
     model.constant_arms.conservativeResize(static_cast<Eigen::Index>(model.paths.size()),
                                            model.coordinates);
@@ -214,6 +220,7 @@ class DigitBuilder {
     built_.names.strands.push_back(strand.name);
   }
 
+  /// Adds a muscle if its strand is kept.
   void add_muscle(const MuscleUnit& muscle) {
     const int strand = place_in(built_.names.strands, muscle.strand);
     if (strand < 0) return;
@@ -231,12 +238,12 @@ class DigitBuilder {
     for (const JointAxis& joint : subject_.joints) {
       const int j = place_in(names.coordinates, joint.name);
       if (j < 0) continue;
-      // The digit's sense of flexion is no other digit's.
-      const double flexes = place_in(shared, joint.name) < 0 ? flexion(joint) : 0;
+      // Ignore the sense of flexion of joints that digits share.
+      const double flexes = place_in(shared, joint.name) < 0 ? flexion_cosine(joint) : 0;
       for (std::size_t m = 0; m < names.muscles.size(); ++m) {
         const int strand = built_.model.pulls[m];
         int& action = built_.actions(static_cast<Eigen::Index>(m), j);
-        // A stated arm has a sign; a name says what a joint of flexion does.
+        // Use the sign of a stated arm, or the muscle's name at a flexion joint.
         const double arm = stated_arm(names.strands[strand], joint.name);
         if (arm != 0)
           action = arm > 0 ? 1 : -1;
@@ -246,7 +253,7 @@ class DigitBuilder {
     }
   }
 
-  /// The subject's constant arm of a strand at a joint, 0 without one [m/rad].
+  /// Returns the subject's constant arm of a strand at a joint, 0 without one [m/rad].
   [[nodiscard]] double stated_arm(const std::string& strand, const std::string& joint) const {
     for (const Strand& each : subject_.strands)
       if (each.name == strand) {
@@ -256,6 +263,7 @@ class DigitBuilder {
     return 0;
   }
 
+  /// Returns the row of a strand of the hood.
   [[nodiscard]] int hood_row(const std::string& strand) const {
     const int row = place_in(built_.names.strands, strand);
     require(row >= 0, "hood of digit '{}' names strand '{}', which crosses none of its joints",
@@ -263,12 +271,13 @@ class DigitBuilder {
     return row;
   }
 
+  /// Adds the hood.
   void add_hood_rule(const HoodRule& rule) {
-    // Rows of the slips, and the joint that their shares depend on.
+    // Set the rows of the slips, and the joint that their shares depend on.
     built_.model.hood = HoodRows{hood_row(rule.central_slip), hood_row(rule.radial_band),
                                  hood_row(rule.ulnar_band), hood_row(rule.terminal_slip)};
     built_.model.knuckle = knuckle(rule.central_slip);
-    // Shares of the muscles that feed the hood.
+    // Add the shares of the muscles that feed the hood.
     for (const HoodBranch& branch : rule.branches) {
       const int muscle = place_in(built_.names.muscles, branch.muscle);
       require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
@@ -302,12 +311,12 @@ TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
 }
 
 TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  // A posture of the digit.
+  // Check the posture.
   const TendonModel<double>& model = digit.model;
   require(q.size() == model.coordinates, "posture has {} angles, the digit {} joints", q.size(),
           model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
-  // Jacobians of the tip, moment arms and passive torque.
+  // Compute Jacobians of the tip, moment arms and passive torque.
   const TreeState<double> state = pose_tree(model.tree, q);
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
   return {position_jacobian(model.tree, state, model.tip_link, tip, model.coordinates),

@@ -1,6 +1,7 @@
 #pragma once
 
-/// One digit with its tendons, on any scalar: all that static fingertip forces depend on.
+/// Model of one digit with its tendons, on any scalar: everything that static fingertip forces
+/// depend on.
 
 #include <cmath>
 #include <map>
@@ -18,7 +19,7 @@
 
 namespace thenar {
 
-/// An angle of the posture:  ratio q[coordinate] + offset,  or the offset alone where it is frozen.
+/// Angle as a function of posture:  ratio q[coordinate] + offset,  or the offset alone if frozen.
 struct PostureAngle {
   int coordinate = -1;  // entry of q; -1: frozen
   double ratio = 0;     // [rad/rad]
@@ -26,37 +27,39 @@ struct PostureAngle {
 };
 
 template <typename T>
+/// Evaluates an angle at posture q [rad].
 [[nodiscard]] T angle_at(const PostureAngle& angle, const VectorX<T>& q) {
   if (angle.coordinate < 0) return T(angle.offset);
   return T(angle.ratio) * q[angle.coordinate] + T(angle.offset);
 }
 
-/// A flexion joint, free, coupled or frozen, about which tendons bend in their sheaths.
+/// Flexion joint, free, coupled or frozen, about which tendons bend in their sheaths.
 struct SheathBend {
   PostureAngle angle;
   int first_coordinate_beyond;  // first coordinate whose joint lies beyond the bend; `coordinates`
-                                // if none does
+                                // if there is none
 };
 
-/// Numbers of a digit; names are in TendonNames.
+/// Numerical model of a digit; its names are in TendonNames.
 template <typename T>
 struct TendonModel {
-  Tree<T> tree;                      // hinges from the wrist to the tip
-  int coordinates;                   // entries of q
-  int tip_link;                      // link that carries the tip
-  Vec3<T> tip;                       // reference posture [m] (3)
-  Mat3<T> tip_axes;                  // columns proximal, dorsal, radial (3, 3)
-  std::vector<TendonPath<T>> paths;  // of each strand; empty: constant arms
-  MatrixX<T> constant_arms;          // of strands without a path [m/rad] (strands, coordinates)
-  std::vector<SheathBend> bends;     // from the wrist to the tip
-  VectorX<T> friction;               // of each strand in its sheath [1/rad] (strands)
-  std::vector<int> pulls;            // strand that each muscle pulls whole
-  std::optional<HoodRows> hood;      // absent: separate tendons
+  Tree<T> tree;      // hinges from the wrist to the tip
+  int coordinates;   // number of entries of q
+  int tip_link;      // link that carries the tip
+  Vec3<T> tip;       // position of the tip in the reference posture [m] (3)
+  Mat3<T> tip_axes;  // tip axes in the reference posture: columns proximal, dorsal, radial (3, 3)
+  std::vector<TendonPath<T>> paths;  // path of each strand; empty: constant arms
+  MatrixX<T> constant_arms;  // moment arms of strands without a path [m/rad] (strands, coordinates)
+  std::vector<SheathBend> bends;  // sheath bends, from the wrist to the tip
+  VectorX<T> friction;     // friction coefficient of each strand in its sheath [1/rad] (strands)
+  std::vector<int> pulls;  // strand that each muscle pulls with its whole tension (muscles)
+  std::optional<HoodRows> hood;  // hood rows of the strand matrix; absent: separate tendons
   std::vector<HoodShare<T>> hood_shares;
-  PostureAngle knuckle;  // on which the hood's shares depend, flexion positive
+  PostureAngle
+      knuckle;  // metacarpophalangeal angle that the hood's shares depend on, flexion positive
 };
 
-/// Names that go with the rows of a TendonModel.
+/// Names of the rows of a TendonModel.
 struct TendonNames {
   std::vector<std::string> coordinates;
   std::vector<std::string> hinges;
@@ -66,55 +69,56 @@ struct TendonNames {
 
 struct BuiltNet;  // tendons/net/build_net.h
 
-/// A digit ready for questions: model, names, limits.
+/// Digit with its model, names and limits.
 struct TendonDigit {
   TendonModel<double> model;
   TendonNames names;
-  Skeleton skeleton;            // the digit alone
-  Eigen::VectorXd max_tension;  // F0 as the upper bound of tendon tension, pennation neglected;
-                                // infinite where the subject does not say [N] (muscles)
-  Fidelity fidelity;            // what was built
-  std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
-  std::shared_ptr<const BuiltNet> net{};      // a floating net in place of a hood; null: none. It
-                                              // is shared by copies of the digit, and constant
-  Eigen::MatrixXi actions{};  // of each muscle at each joint, by the sign of the subject's arms_mm
-                              // or by its name: 1 positive arm, -1 negative, 0 unknown (muscles,
-                              // coordinates)
+  Skeleton skeleton;            // skeleton of this digit alone
+  Eigen::VectorXd max_tension;  // F0, the upper bound of tendon tension without pennation; infinite
+                                // where the subject does not state it [N] (muscles)
+  Fidelity fidelity;            // level of detail that was built
+  std::vector<CalibratedOn> calibrated_on{};  // force measurements to which the subject was fitted
+  std::shared_ptr<const BuiltNet> net{};  // floating net in place of a hood; null: none. Constant,
+                                          // shared by copies of the digit
+  /// Action of each muscle at each joint, by the sign of the subject's arms_mm or by its name: 1
+  /// positive arm, -1 negative, 0 unknown (muscles, coordinates).
+  Eigen::MatrixXi actions{};
 };
 
 /// Treatment of joints that digits share: the wrist.
 enum class WristMode {
-  kWelded,  // at the reference posture, or where `frozen` says: a question of one fingertip
-  kFree     // they move, and every tendon across them counts
+  kWelded,  // fixed at the reference posture or at the angle in `frozen`; for one fingertip alone
+  kFree     // free to move; every tendon that crosses them counts
 };
 
-/// The rung of paths where none is asked for: wrapped where a tendon bends over a surface or
-/// originates from another tendon; straight between via points elsewhere.
+/// Returns the default path model: wrapped where a tendon bends over a surface or originates from
+/// another tendon, straight between via points elsewhere.
 [[nodiscard]] Path default_path(const Subject& subject);
 
-/// Options of the tendons to build. A question that leaves `path` open takes default_path().
+/// Options of the tendons to build. Where the user leaves `path` open, default_path() applies.
 struct TendonOptions {
-  Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
-  Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
+  Path path = Path::kViaPoint;   // path model; kConstant: only the subject's constant arms
+  Hood hood = Hood::kFractions;  // hood model; kSeparate: every muscle pulls its own strand only
   std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
   WristMode wrist_mode = WristMode::kWelded;
-  std::vector<std::string> kept{};  // muscles that count even where the digit has none of their
-                                    // joints: those that pull a net
+  /// Muscles to keep even if they cross no joint of the digit: those that pull a net.
+  std::vector<std::string> kept{};
 };
 
 /// Builds one digit of a subject with every muscle that crosses one of its joints. Its own paths
-/// are straight, whatever the rung: build_linear_tendons() wraps them.
+/// are always straight: build_linear_tendons() adds wrapping.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing.
 [[nodiscard]] TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                              const TendonOptions& options = {});
 
-/// Everything at the digit's tip at posture q (coordinates) [rad].
+/// Computes the statics of the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
 
-/// Proximal, dorsal and radial of the tip at posture q as columns, world frame (3, 3).
+/// Computes the proximal, dorsal and radial directions of the tip at posture q as columns, world
+/// frame (3, 3).
 [[nodiscard]] Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q);
 
-/// Flexion of the knuckle, the metacarpophalangeal joint of a finger: the flexion joint next to the
+/// Computes the flexion of the metacarpophalangeal joint of a finger: the flexion joint next to the
 /// wrist from the one that the hood's central slip crosses, be it free, coupled or frozen. It is 0
 /// without a hood and in a digit without such a joint [rad].
 template <typename T>
@@ -122,7 +126,8 @@ template <typename T>
   return angle_at(model.knuckle, q);
 }
 
-/// Strand tension per muscle tension at posture q, before friction (strands, muscles) [1].
+/// Computes strand tension per muscle tension at posture q, without friction (strands, muscles)
+/// [1].
 template <typename T>
 [[nodiscard]] MatrixX<T> strand_matrix(const TendonModel<T>& model, const VectorX<T>& q) {
   MatrixX<T> S(model.paths.size(), model.pulls.size());
@@ -132,8 +137,8 @@ template <typename T>
   return S;
 }
 
-/// Returns the angle by which a tendon bends: |angle|, smoothed within 0.01 rad where a coordinate
-/// moves it, so that derivatives exist in the straight finger [rad].
+/// Computes the angle by which a tendon bends: |angle|, smoothed within 0.01 rad where a coordinate
+/// drives it, so that derivatives exist in the straight finger [rad].
 template <typename T>
 [[nodiscard]] T bend_size(const PostureAngle& angle, const VectorX<T>& q) {
   using std::sqrt;
@@ -142,10 +147,11 @@ template <typename T>
   return sqrt(bent * bent + T(1e-4));
 }
 
-/// Share of a strand's tension that is left at each joint after the sheath's friction,
+/// Computes the share of a strand's tension that remains at each joint after friction in the
+/// sheath,
 ///   exp(-mu sum |angle_k|)  over the flexion joints k nearer the muscle (Euler's belt formula).
-/// Frozen joints bend the sheath like others. A joint that abducts feels as much as the flexion
-/// joint before it, so that a universal joint counts as one.
+/// Frozen joints bend the sheath as well. An abduction joint has the share of the flexion joint
+/// before it, so that a universal joint counts once. (coordinates) [1]
 template <typename T>
 [[nodiscard]] VectorX<T> remaining_tension(const TendonModel<T>& model, const VectorX<T>& q,
                                            const T& mu) {
@@ -163,7 +169,8 @@ template <typename T>
   return left;
 }
 
-/// Moment arms of every strand at a pose, times the tension left (strands, coordinates) [m/rad].
+/// Computes the moment arms of every strand, times its remaining tension (strands, coordinates)
+/// [m/rad].
 template <typename T>
 [[nodiscard]] MatrixX<T> strand_arms(const TendonModel<T>& model, const TreeState<T>& state,
                                      const VectorX<T>& q) {
@@ -171,14 +178,15 @@ template <typename T>
   for (std::size_t s = 0; s < model.paths.size(); ++s) {
     if (!model.paths[s].empty())
       R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
-    // Where derivatives are carried, they must not be lost at zero.
+    // Apply friction; on autodiff scalars also at zero, to keep its derivative.
     if (!std::is_same_v<T, double> || model.friction[s] != T(0))
       R.row(s) = R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
   }
   return R;
 }
 
-/// Moment arms of every muscle through the hood,  R = S' R_strands  [m/rad] (muscles, coordinates).
+/// Computes the moment arms of every muscle through the hood,  R = S' R_strands  [m/rad] (muscles,
+/// coordinates).
 template <typename T>
 [[nodiscard]] MatrixX<T> muscle_arms(const TendonModel<T>& model, const TreeState<T>& state,
                                      const VectorX<T>& q) {

@@ -1,22 +1,22 @@
 #pragma once
 
-/// Tension of what stretches.
+/// Tension of an elastic band or tendon.
 
 namespace thenar {
 
-/// Response of a band or tendon at some length.
+/// Response of a band or tendon at one length.
 struct BandResponse {
   double energy;     // integral of the tension over the length [J]
   double tension;    // >= 0 [N]
   double stiffness;  // d tension / d length [N/m]
 };
 
-/// Tension of a band or tendon by its length.
+/// Tension of a band or tendon as a function of its length.
 class TensionLaw {
  public:
   virtual ~TensionLaw() = default;
-  /// @param length  [m]
-  [[nodiscard]] virtual BandResponse at(double length) const = 0;
+  /// Computes energy, tension and stiffness. @param length  length of the band or tendon [m]
+  [[nodiscard]] virtual BandResponse response_at(double length) const = 0;
 };
 
 }  // namespace thenar

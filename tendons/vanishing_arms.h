@@ -1,6 +1,6 @@
 #pragma once
 
-/// Joints at which a path passes so close that a moment arm vanishes, or on the wrong side.
+/// Detects joints at which a path passes so close that a moment arm vanishes, or on the wrong side.
 
 #include <string>
 #include <vector>
@@ -9,29 +9,29 @@
 
 namespace thenar {
 
-/// A moment arm of a long flexor that nearly vanishes at a posture.
+/// Moment arm of a long flexor that nearly vanishes at a posture.
 struct VanishingArm {
   std::string muscle, joint;
-  double arm;   // here, flexion + [m/rad]
-  double most;  // the largest one as this joint alone goes through its range [m/rad]
+  double arm;      // moment arm at this posture, flexion positive [m/rad]
+  double max_arm;  // largest arm as this joint alone moves through its range [m/rad]
 };
 
-/// Returns arms of long flexors about flexion joints below a quarter of the largest arm that they
-/// have as the joint alone goes through its range, if that is at least 3 mm: sheaths hold these
-/// tendons off the joint. A rule of thumb. Wrapped paths have such arms, too, where the subject has
-/// no surface at the joint; joints without a range are left out.
-/// @param tendons  without a net
+/// Returns the arms of long flexors about flexion joints that are below a quarter of the largest
+/// arm as the joint alone moves through its range, if that is at least 3 mm, since sheaths hold
+/// these tendons off the joint. A rule of thumb. Wrapped paths also have such arms where the
+/// subject has no surface at the joint. Joints without a range are left out.
+/// @param tendons  tendons without a net
 [[nodiscard]] std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons,
                                                        const Eigen::VectorXd& q);
 
-/// A moment arm whose sign is against what the subject's arms_mm or the muscle's name says.
+/// Moment arm whose sign contradicts the subject's arms_mm or the muscle's name.
 struct ReversedArm {
   std::string muscle, joint;
-  double arm;  // here [m/rad]
+  double arm;  // moment arm at this posture [m/rad]
 };
 
-/// Returns arms of the wrong sign by TendonDigit::actions and at least 0.5 mm, so that a tendon
-/// that runs across its joint is not told.
+/// Returns the arms that have the wrong sign by TendonDigit::actions and are at least 0.5 mm, so
+/// that a tendon that runs straight across its joint is not reported.
 /// @param R  moment arms at one posture (muscles, coordinates) [m/rad]
 [[nodiscard]] std::vector<ReversedArm> reversed_arms(const TendonDigit& digit,
                                                      const Eigen::MatrixXd& R);

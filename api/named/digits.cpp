@@ -246,7 +246,7 @@ std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eig
   std::vector<std::string> arms;
   for (const VanishingArm& arm : vanishing_arms(linear, q))
     arms.push_back(fmt::format("{} at {}: {:.2g} mm, {:.2g} mm elsewhere in its range", arm.muscle,
-                               arm.joint, 1e3 * arm.arm, 1e3 * arm.most));
+                               arm.joint, 1e3 * arm.arm, 1e3 * arm.max_arm));
   if (arms.empty()) return {};
   // Straight runs between points cut through the joint when it flexes far; wrapped paths go round
   // it.

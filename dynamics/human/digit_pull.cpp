@@ -359,7 +359,7 @@ void DigitPull::set_rates(const ElementInput& at, const PullValues& values,
     out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!muscles_.has_fibre) continue;
     // Fibre length by force equilibrium with the tendon.
-    const MuscleState state = values.state.of(m);
+    const MuscleState state = values.state.muscle(m);
     out.z_rate[at.first_z + 2 * count + i] =
         contraction().projected_fibre_rate(m, state) / muscles_.fibre_length[m];
     out.z_decay[at.first_z + 2 * count + i] =
@@ -447,10 +447,10 @@ bool DigitPull::may_start_motion(const ElementInput& at) const {
   return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {
     const double rate =
         activation_rate(values.excitation[m], values.state.activation[m], model_->activation);
-    const double fibre =
-        muscles_.has_fibre
-            ? contraction().projected_fibre_rate(m, values.state.of(m)) / muscles_.fibre_length[m]
-            : 0;
+    const double fibre = muscles_.has_fibre
+                             ? contraction().projected_fibre_rate(m, values.state.muscle(m)) /
+                                   muscles_.fibre_length[m]
+                             : 0;
     return excitation_pieces_.piece_of(m).slope() != 0 || std::abs(rate) > kRestRate ||
            std::abs(fibre) > kRestRate;
   });

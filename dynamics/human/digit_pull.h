@@ -26,7 +26,7 @@ struct DigitPullModel {
   std::shared_ptr<const Contraction> contraction;  // all muscles; not used for those with a
                                                    // tension; null: no muscle contracts
   ActivationTimes activation{};                    // time constants of activation
-  double blend = kBlend;               // strain over which bands of a net become taut [1]
+  double blend = kBlendStrain;         // strain over which bands of a net become taut [1]
   double base_tension = kBaseTension;  // tension added to each muscle of a digit with a net [N]
 };
 

@@ -24,12 +24,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Plane at which a body is cut flat; the part on the side of `outward` is left out.
+/// Plane at which a body is cut; the part on the side of `outward` is removed.
 struct FlatCut {
   Vector3d point, outward;  // [m], unit (3)
 };
 
-/// A soft body as far as mesh_from_distance() asks.
+/// Implicit body as a Shape for mesh_from_distance().
 class SoftShape final : public Shape {
  public:
   explicit SoftShape(const ImplicitBody& body, const std::optional<FlatCut>& cut = {})
@@ -40,8 +40,8 @@ class SoftShape final : public Shape {
     return cut_ ? std::max(height, cut_->outward.dot(p - cut_->point)) : height;
   }
   [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
-    // Gradient by central differences.
-    const double h = 1e-6;  // [m]
+    // Compute the gradient by central differences.
+    const double h = 1e-6;  // step of the differences [m]
     Vector3d slope;
     for (int i = 0; i < 3; ++i)
       slope[i] = distance(p + h * Vector3d::Unit(i)) - distance(p - h * Vector3d::Unit(i));
@@ -62,9 +62,9 @@ const Segment& find_segment(const Subject& subject, const std::string& name) {
       fmt::format("a mesh for segment '{}', which '{}' does not have", name, subject.name));
 }
 
-/// Throws if an edge does not belong to two triangles that walk it in opposite ways.
+/// Throws if an edge does not belong to two triangles that run along it in opposite senses.
 void require_closed(const TriangleMesh& mesh, const std::string& segment) {
-  // Edges that are not walked equally often both ways.
+  // Count edges that do not occur equally often in both senses.
   int open = 0, from = 0;
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     const auto up = std::count_if(first, last, [](const MeshSide& side) { return side.upwards; });
@@ -79,13 +79,14 @@ void require_closed(const TriangleMesh& mesh, const std::string& segment) {
       segment, open, p.x(), p.y(), p.z()));
 }
 
-/// The tapered capsule nearest to a skin, which is drawn in its place.
+/// Fits the tapered capsule nearest to a skin, which remains its picture.
 Solid capsule_of(TriangleMesh mesh) {
   Solid solid = build_solid({fit_tapered_capsule(mesh).shape});
   solid.visual = std::move(mesh);
   return solid;
 }
 
+/// Builds a solid from a watertight mesh.
 Solid solid_of(TriangleMesh mesh, const std::string& segment) {
   require_closed(mesh, segment);
   ShapeSpec shape;
@@ -98,7 +99,7 @@ Solid solid_of(TriangleMesh mesh, const std::string& segment) {
   }
 }
 
-/// All that a body's skin depends on.
+/// Serialises everything that a body's skin depends on, as a cache key.
 std::string bytes_of(const ImplicitBody& body) {
   std::string bytes;
   for (const Lump& lump : body) {
@@ -112,20 +113,20 @@ std::string bytes_of(const ImplicitBody& body) {
   return bytes;
 }
 
-/// Lays surfaces on the links of a skeleton.
-class SkinMaker {
+/// Builder of the surfaces of links.
+class SkinBuilder {
  public:
-  SkinMaker(const Skeleton& skeleton, const SkinOptions& options)
+  SkinBuilder(const Skeleton& skeleton, const SkinOptions& options)
       : skeleton_(skeleton), options_(options) {}
 
-  /// @param picture  empty: the mesh itself
+  /// Adds the surface of a segment. @param picture  empty: the mesh itself
   void add(const std::string& digit, const std::string& segment, TriangleMesh mesh,
            TriangleMesh picture = {}) {
-    // Segments that the skeleton left out have no surface.
+    // Skip segments that the skeleton does not keep.
     const auto link = skeleton_.link_of_segment.find(segment);
     if (link == skeleton_.link_of_segment.end()) return;
     const Pose<double>& at = skeleton_.segment_at.at(segment);
-    // In the hand's frame.
+    // Transform the meshes to the hand's frame.
     for (TriangleMesh* each : {&mesh, &picture})
       each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
     Solid solid = options_.capsules && !digit.empty() ? capsule_of(std::move(mesh))
@@ -143,7 +144,7 @@ class SkinMaker {
   std::vector<LinkSurface> surfaces_;
 };
 
-/// Triangles of a body, cut flat if it is. @throws InputError below 100 triangles
+/// Meshes a body, with a flat cut if given. @throws InputError below 100 triangles
 TriangleMesh mesh_of(const ImplicitBody& body, const std::optional<FlatCut>& cut, int triangles) {
   require(triangles >= 100, "a link's skin wants at least 100 triangles, got {}", triangles);
   std::string key = fmt::format("{}\n", triangles) + bytes_of(body);
@@ -153,11 +154,11 @@ TriangleMesh mesh_of(const ImplicitBody& body, const std::optional<FlatCut>& cut
   }
   return cached_mesh("skin mesh 1", key, [&] {
     const SoftShape shape(body, cut);
-    // A body of this box has about the area of an ellipsoid in it; two triangles a cell.
+    // Estimate the cell size from the area of an ellipsoid in the box, at two triangles per cell.
     const Vector3d size = shape.bounds().sizes();
     const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
     double cell = std::sqrt(2 * area / triangles);
-    // Larger cells until there are few enough triangles.
+    // Enlarge the cells until there are few enough triangles.
     for (;;) {
       TriangleMesh mesh = mesh_from_distance(shape, cell);
       if (mesh.triangles.cols() <= triangles) return mesh;
@@ -166,8 +167,9 @@ TriangleMesh mesh_of(const ImplicitBody& body, const std::optional<FlatCut>& cut
   });
 }
 
-/// The picture of a palm goes on to a wrist of about two thirds of its breadth, which is cut flat a
-/// third of that behind the wrist's centre: priors, chosen by eye. It touches nothing.
+/// Meshes the picture of a palm, extended by a wrist of about two thirds of its breadth, which is
+/// cut flat a third of that behind the wrist's centre. These ratios are assumptions, chosen by eye.
+/// The picture takes no part in contact.
 TriangleMesh palm_picture(const PalmAnatomy& palm, ImplicitBody body, int triangles) {
   const double breadth = 0.66 * palm.breadth, depth = 0.68 * breadth, reach = 0.34 * palm.breadth;
   Lump wrist;
@@ -181,6 +183,7 @@ TriangleMesh palm_picture(const PalmAnatomy& palm, ImplicitBody body, int triang
   return mesh_of(body, FlatCut{end, -palm.distal}, triangles);
 }
 
+/// Returns the digit of a segment; empty: none.
 std::string digit_of(const HandAnatomy& hand, const std::string& segment) {
   for (const DigitAnatomy& digit : hand.digits)
     for (const DigitBone& bone : digit.bones)
@@ -188,31 +191,34 @@ std::string digit_of(const HandAnatomy& hand, const std::string& segment) {
   return "";
 }
 
-/// The surface of a segment at the reference posture.
+/// Surface of a segment at the reference posture.
 struct Skin {
   std::string digit, segment;
   ImplicitBody body;
   TriangleMesh mesh, picture;
 };
 
-/// Returns the skins of all segments that have links, except the user's own.
+/// Builds the skins of all segments that have links, except the user's own.
 std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
                            const SkinOptions& options) {
-  // Segments without a mesh of their own.
+  // Collect segments without a mesh of their own.
   std::vector<Skin> skins;
   for (const auto& [segment, body] : skin_bodies(hand))
     if (skeleton.link_of_segment.count(segment) > 0 && options.own.count(segment) == 0)
       skins.push_back({digit_of(hand, segment), segment, body, {}, {}});
-  std::mutex telling;
+  std::mutex progress_lock;
   double done = 0;
-  // In parallel, as each takes seconds.
+  // Mesh them in parallel, as each takes seconds.
   parallel_for(skins.size(), [&](std::size_t i) {
     Skin& skin = skins[i];
     {
-      const std::lock_guard lock(telling);
+      const std::lock_guard lock(progress_lock);
       options.progress(done++ / static_cast<double>(skins.size()), "skin of " + skin.segment);
     }
-    const int share = skin.digit.empty() ? 2 : 1;  // the palm has ten times the area of a phalanx
+    const int share =
+        skin.digit.empty()
+            ? 2
+            : 1;  // twice the triangles for the palm, with ten times the area of a phalanx
     if (options.drawn > 0)
       skin.picture = skin.digit.empty() && hand.palm
                          ? palm_picture(*hand.palm, skin.body, share * options.drawn)
@@ -232,8 +238,8 @@ std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& 
                                         const SkinOptions& options) {
   const HandAnatomy hand = find_anatomy(subject);
   const std::vector<Skin> skins = skins_of(hand, skeleton, options);
-  SkinMaker maker(skeleton, options);
-  // Generated skins, then the user's own.
+  SkinBuilder maker(skeleton, options);
+  // Add generated skins, then the user's own.
   for (const Skin& skin : skins) maker.add(skin.digit, skin.segment, skin.mesh, skin.picture);
   for (const auto& [segment, mesh] : options.own)
     maker.add(digit_of(hand, segment), find_segment(subject, segment).name, mesh);
@@ -281,15 +287,15 @@ ShapeSpec shaft(const Vector3d& a, const Vector3d& b, double ra, double rb) {
   return shape;
 }
 
-/// Shaft, base and condyles between two joints; `end` before the second in parts of the radius.
+/// Builds shaft, base and condyles, or the tuft of a last bone.
 std::vector<ShapeSpec> bone_shapes(const DigitBone& bone, bool last) {
-  // Ends of the shaft within the flesh.
+  // Place the ends of the shaft within the flesh.
   const double r = bone.radius, thin = 0.4 * r;
   const Vector3d along = (bone.distal - bone.proximal).normalized();
   const Vector3d base = bone.proximal + 0.45 * r * along;
   const Vector3d head = bone.distal - (last ? 0.9 : 0.1) * r * along;
   const Vector3d middle = (base + head) / 2;
-  // A fingertip ends in a tuft, other bones in two condyles.
+  // End a fingertip in a tuft, other bones in two condyles.
   std::vector<ShapeSpec> shapes{shaft(base, middle, 0.58 * r, thin)};
   if (last) {
     shapes.push_back(shaft(middle, head, thin, 0.35 * r));
@@ -301,13 +307,13 @@ std::vector<ShapeSpec> bone_shapes(const DigitBone& bone, bool last) {
   return shapes;
 }
 
-/// Metacarpals II to V, from the carpus to the knuckles.
+/// Builds metacarpals II to V, from the carpus to the knuckles.
 std::vector<ShapeSpec> palm_shapes(const HandAnatomy& hand) {
   const PalmAnatomy& palm = *hand.palm;
   std::vector<ShapeSpec> shapes;
   for (const DigitAnatomy& digit : hand.digits) {
     if (digit.root != palm.segment || digit.name == "thumb") continue;
-    // From the carpus to the knuckle.
+    // Build a shaft from the carpus to the knuckle.
     const DigitBone& bone = digit.bones.front();
     const Vector3d way = bone.proximal - palm.wrist;
     const Vector3d foot = palm.wrist + 0.25 * way.dot(palm.distal) * palm.distal +
@@ -319,7 +325,7 @@ std::vector<ShapeSpec> palm_shapes(const HandAnatomy& hand) {
   return shapes;
 }
 
-/// The hand's frame at the skeleton's reference posture.
+/// Adds a surface in the hand's frame at the skeleton's reference posture.
 void add_surface(const Skeleton& skeleton, const std::string& digit, const std::string& segment,
                  std::vector<ShapeSpec> shapes, std::vector<LinkSurface>& surfaces) {
   const auto link = skeleton.link_of_segment.find(segment);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Surfaces of a human hand that can touch: skin, or the bones within it.
+/// Contact surfaces of a human hand: skin, or the bones within it.
 
 #include <map>
 #include <string>
@@ -14,43 +14,44 @@
 
 namespace thenar {
 
-/// Resolution of the skin, and meshes to use instead.
+/// Resolution of the skin, and meshes that replace it.
 struct SkinOptions {
-  int triangles = 800;            // of each link, at most, of the palm twice as many
-  int drawn = 0;                  // of its picture, likewise: 2500 look smooth, and take no time
-                                  // where distances are asked; 0: what touches is drawn
-  bool capsules = false;          // of digits each link is the tapered capsule nearest to its skin,
-                                  // which has no edges for contacts to pass; the palm stays
-  std::string material = "skin";  // see Materials
+  int triangles = 800;  // largest number of triangles of each link; twice as many for the palm
+  int drawn = 0;  // largest number of triangles of each link's picture, likewise: 2500 look smooth,
+                  // at no cost in distance queries; 0: the contact mesh is drawn
+  bool capsules = false;  // true: each link of a digit is the tapered capsule nearest to its skin,
+                          // which has no edges; the palm stays a mesh
+  std::string material = "skin";            // see Materials
   std::map<std::string, TriangleMesh> own;  // segment -> its surface in the subject's reference
                                             // posture, as segmented from CT or MRI [m]
-  Progress progress;                        // hears of every segment
+  Progress progress;                        // reports every segment
 };
 
-/// Watertight skin of every segment that the skeleton keeps, in the hand's frame at the reference
-/// posture: skin_bodies() as triangles, or the user's own meshes.
-/// @throws InputError as find_anatomy(); for an own mesh of a segment that is not there, or naming
-/// the segment whose mesh leaks.
+/// Builds the watertight skin of every segment that the skeleton keeps, in the hand's frame at the
+/// reference posture: skin_bodies() as triangles, or the user's own meshes.
+/// @throws InputError as find_anatomy(); for an own mesh of a segment that does not exist, or
+/// naming the segment whose mesh is not watertight.
 [[nodiscard]] std::vector<LinkSurface> human_surfaces(const Subject& subject,
                                                       const Skeleton& skeleton,
                                                       const SkinOptions& options = {});
 
-/// Distance between the skin and the capsules in its place, over all links [m].
+/// Distance between the skin and the capsules that replace it, over all links [m].
 struct SkinError {
-  double largest = 0, rms = 0;  // of the corners of the skin's triangles
-  std::string worst;            // the link of the largest; empty: no skin is a capsule
+  double largest = 0, rms = 0;  // distances at the corners of the skin's triangles
+  std::string worst;            // link with the largest distance; empty: no skin is a capsule
 };
 
-/// @param surfaces  as human_surfaces() makes them; their pictures are the skin
+/// Computes the distance between skin and capsules.
+/// @param surfaces  from human_surfaces(); their pictures are the skin
 [[nodiscard]] SkinError capsule_error(const std::vector<LinkSurface>& surfaces);
 
-/// The skin of one body as triangles, `triangles` at most. @throws InputError below 100.
+/// Meshes the skin of one body, with `triangles` at most. @throws InputError below 100.
 [[nodiscard]] TriangleMesh skin_mesh(const ImplicitBody& body, int triangles);
 
-/// Bones of every segment, of material "bone": shafts of 0.45 of the flesh's radius that swell to
-/// two condyles at the distal end and one base at the proximal, 0.6 of it: priors, chosen by eye.
-/// Those of the palm run from the carpus to the knuckles. A fingertip's ends in a tuft two thirds
-/// of its radius before the skin.
+/// Builds the bones of every segment, of material "bone": shafts of 0.45 of the flesh's radius that
+/// widen to two condyles at the distal end and one base at the proximal, 0.6 of it. These ratios
+/// are assumptions, chosen by eye. Bones of the palm run from the carpus to the knuckles. The bone
+/// of a fingertip ends in a tuft two thirds of its radius before the skin.
 [[nodiscard]] std::vector<LinkSurface> bone_surfaces(const Subject& subject,
                                                      const Skeleton& skeleton);
 

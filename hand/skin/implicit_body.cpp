@@ -9,15 +9,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Exact distance to the hull of two balls. Source: [Quilez2013].
+/// Computes the exact distance to the convex hull of two balls. Source: [Quilez2013].
 double round_cone(const Vector3d& a, const Vector3d& b, double ra, double rb, const Vector3d& p) {
   const Vector3d ba = b - a, pa = p - a;
   const double length = ba.norm(), drop = ra - rb;
-  // One ball holds the other.
+  // Return the distance to the larger ball if it contains the other.
   if (length <= std::abs(drop)) return ra >= rb ? pa.norm() - ra : (p - b).norm() - rb;
   const double along = pa.dot(ba) / length;
   const double across = std::sqrt(std::max(0.0, pa.squaredNorm() - along * along));
-  // In the plane of the axis, the flank is a line that leans by asin(drop / length).
+  // Use the flank in the plane of the axis: a line inclined by asin(drop / length).
   const double sine = drop / length, cosine = std::sqrt(1 - sine * sine);
   const double foot = along * cosine - across * sine;
   if (foot < 0) return pa.norm() - ra;
@@ -25,8 +25,9 @@ double round_cone(const Vector3d& a, const Vector3d& b, double ra, double rb, co
   return across * cosine + along * sine - ra;
 }
 
+/// Computes the distance to a triangle.
 double triangle_distance(const std::array<Vector3d, 3>& t, const Vector3d& p) {
-  // Distance to the sides, or to the plane within all of them.
+  // Take the distance to the sides, or to the plane within all of them.
   const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   bool within = normal.squaredNorm() > 0;
   double edge = std::numeric_limits<double>::infinity();
@@ -39,10 +40,11 @@ double triangle_distance(const std::array<Vector3d, 3>& t, const Vector3d& p) {
   return within ? std::abs((p - t[0]).dot(normal)) / normal.norm() : edge;
 }
 
+/// Computes the height of a point above one lump.
 double lump_height(const Lump& lump, const Vector3d& p) {
   if (lump.sheet) return triangle_distance(lump.core, p) - lump.radius[0];
-  // Pressing makes a wider capsule in stretched space; dividing by the stretch keeps below
-  // distance.
+  // Stretch space so that the flattened capsule becomes round; division by the stretch keeps the
+  // height below the distance.
   const double wide = std::sqrt(lump.aspect);
   const auto press = [&](const Vector3d& x) -> Vector3d {
     const Vector3d from = x - lump.core[0];
@@ -57,7 +59,7 @@ double lump_height(const Lump& lump, const Vector3d& p) {
 
 double implicit_height(const ImplicitBody& body, const Vector3d& p) {
   double height = std::numeric_limits<double>::infinity();
-  // Smooth minimum over the lumps.
+  // Take the smooth minimum over the lumps.
   for (const Lump& lump : body) {
     const double next = lump_height(lump, p);
     const double near =
@@ -69,7 +71,7 @@ double implicit_height(const ImplicitBody& body, const Vector3d& p) {
 
 Eigen::AlignedBox3d implicit_bounds(const ImplicitBody& body) {
   Eigen::AlignedBox3d box;
-  // Box of each lump with its thickness and its blend.
+  // Extend the box by each lump with its thickness and its blend.
   for (const Lump& lump : body) {
     const double thick = std::sqrt(std::max(lump.aspect, 1 / lump.aspect)) *
                              std::max(lump.radius[0], lump.sheet ? 0 : lump.radius[1]) +

@@ -10,20 +10,22 @@
 
 namespace thenar {
 
-/// One lump: a tapered capsule, pressed flat, or a triangle with thickness.
+/// Lump: a tapered capsule, flattened, or a triangle with thickness.
 struct Lump {
-  std::array<Eigen::Vector3d, 3> core;  // ends of the capsule, or corners [m]
-  std::array<double, 2> radius{0, 0};   // at either end; of a triangle the first [m]
-  bool sheet = false;                   // a triangle
-  Eigen::Vector3d flat{0, 0, 1};        // unit, the way in which it is pressed (3)
-  double aspect = 1;                    // breadth over depth, at the same area of the section [1]
-  double blend = 0;                     // within which it flows into those before it [m]
+  std::array<Eigen::Vector3d, 3> core;  // ends of the capsule, or corners of the triangle [m]
+  /// Radius at either end; half thickness of a triangle: the first [m].
+  std::array<double, 2> radius{0, 0};
+  bool sheet = false;             // true: a triangle
+  Eigen::Vector3d flat{0, 0, 1};  // unit direction in which it is flattened (3)
+  double aspect = 1;              // breadth over depth, at constant area of the section [1]
+  double blend = 0;               // distance within which it blends into those before it [m]
 };
 
 /// Lumps in order; each is blended with the union of those before it.
 using ImplicitBody = std::vector<Lump>;
 
-/// Height of a point above the skin: zero on it, negative inside; never more than the distance.
+/// Computes the height of a point above the skin: zero on it, negative inside; never more than the
+/// distance.
 ///
 /// A section of mean radius r is an ellipse of semi-axes  r sqrt(aspect), r / sqrt(aspect).  Lumps
 /// are joined by the polynomial smooth minimum
@@ -32,7 +34,7 @@ using ImplicitBody = std::vector<Lump>;
 /// @param p  (3) [m]
 [[nodiscard]] double implicit_height(const ImplicitBody& body, const Eigen::Vector3d& p);
 
-/// A box that holds the body [m].
+/// Computes a box that contains the body [m].
 [[nodiscard]] Eigen::AlignedBox3d implicit_bounds(const ImplicitBody& body);
 
 }  // namespace thenar

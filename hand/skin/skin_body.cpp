@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kJointAspect = 1.08, kTipAspect = 1.22;  // breadth over depth, priors [1]
+constexpr double kJointAspect = 1.08, kTipAspect = 1.22;  // breadth over depth, assumptions [1]
 
-/// A point beside a bone, in parts of its length and mean radius.
+/// Returns a point beside a bone, in units of its length and mean radius.
 Vector3d beside(const DigitBone& bone, double along, double dorsal, double radial = 0) {
   return bone.proximal + along * (bone.distal - bone.proximal) +
          bone.radius * (dorsal * bone.dorsal + radial * bone.radial);
@@ -26,7 +26,7 @@ Lump capsule(const Vector3d& a, const Vector3d& b, double ra, double rb, double 
 }
 
 Lump flattened(Lump lump, const Vector3d& dorsal, double aspect) {
-  // Direction of flattening, normal to the capsule.
+  // Make the direction of flattening normal to the capsule.
   const Vector3d along = lump.core[1] - lump.core[0];
   const Vector3d across = dorsal - dorsal.dot(along) / std::max(along.squaredNorm(), 1e-12) * along;
   lump.flat = across.normalized();
@@ -43,17 +43,17 @@ Lump sheet(const Vector3d& a, const Vector3d& b, const Vector3d& c, double radiu
   return lump;
 }
 
-/// Radius at the joint in front of bone i: between those of its bones.
+/// Returns the radius at the joint proximal of bone i: the mean of those of its bones.
 double joint_radius(const DigitAnatomy& digit, int i) {
   if (i == 0) return digit.bones[0].radius;
   return (digit.bones[i - 1].radius + digit.bones[i].radius) / 2;
 }
 
-/// A phalanx between two joints, with the pulp on its palmar side.
+/// Builds a phalanx between two joints, with the pulp on its palmar side.
 ImplicitBody phalanx(const DigitAnatomy& digit, int i) {
   const DigitBone& bone = digit.bones[i];
   const double r = bone.radius, from = joint_radius(digit, i), to = joint_radius(digit, i + 1);
-  // The bone's flesh, then the pulp.
+  // Add the bone's flesh, then the pulp.
   ImplicitBody body{
       flattened(capsule(bone.proximal, bone.distal, from, to, 0), bone.dorsal, kJointAspect)};
   body.push_back(
@@ -61,18 +61,18 @@ ImplicitBody phalanx(const DigitAnatomy& digit, int i) {
   return body;
 }
 
-/// The last phalanx: tapers to the tip, bulges at the pad, flatter under the nail.
+/// Builds the last phalanx: tapered to the tip, with a bulge at the pad, flatter under the nail.
 ImplicitBody fingertip(const DigitAnatomy& digit) {
   const int i = static_cast<int>(digit.bones.size()) - 1;
   const DigitBone& bone = digit.bones[i];
-  // The cap ends at the tip, however wide it is.
+  // Choose the capsule so that its cap ends at the tip.
   const double r = bone.radius, length = (bone.distal - bone.proximal).norm(), end = 0.66 * r;
   const double wide = std::sqrt(kTipAspect);
-  const double last = 1 - wide * end / length;  // the cap ends at the tip
+  const double last = 1 - wide * end / length;
   ImplicitBody body{
       flattened(capsule(bone.proximal, beside(bone, last, -0.1), joint_radius(digit, i), end, 0),
                 bone.dorsal, kTipAspect)};
-  // Bulge of the pad.
+  // Add the bulge of the pad.
   const double middle = 1 - 1.15 * r / length;
   body.push_back(flattened(capsule(beside(bone, middle - 0.12, -0.22), beside(bone, middle, -0.26),
                                    0.8 * r, 0.76 * r, 0),
@@ -87,21 +87,21 @@ struct ThumbWeb {
 };
 
 ThumbWeb thumb_web(const HandAnatomy& hand, const DigitAnatomy& thumb) {
-  // From the thumb's root to the index knuckle.
+  // Span the web from the thumb's root to the index knuckle.
   const DigitBone& bone = thumb.bones.front();
   const DigitAnatomy* index = digit_named(hand, "index");
   const Vector3d knuckle = index != nullptr ? index->bones.front().proximal : bone.distal;
   return {bone.proximal, beside(bone, 1.0, -0.2), bone.proximal + 0.95 * (knuckle - bone.proximal)};
 }
 
-/// First metacarpal with its share of the thenar muscles and of the web.
+/// Builds the first metacarpal with its part of the thenar muscles and of the web.
 ImplicitBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
   const DigitBone& bone = thumb.bones.front();
   const double r = bone.radius;
-  // Bone, then the thenar bulge.
+  // Add the bone, then the thenar bulge.
   ImplicitBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
   body.push_back(capsule(beside(bone, 0.22, -0.5), beside(bone, 0.75, -0.35), 0.9 * r, 0.8 * r, r));
-  // Half of the web, with its free edge sagging.
+  // Add half of the web, with a concave free edge.
   if (hand.palm) {
     const ThumbWeb web = thumb_web(hand, thumb);
     const Vector3d edge = web.thumb + 0.65 * (web.index - web.thumb);
@@ -111,10 +111,10 @@ ImplicitBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb
   return body;
 }
 
-/// Lays out the palm in parts of its own measures.
-class PalmMaker {
+/// Builder of the palm in units of its own measures.
+class PalmBuilder {
  public:
-  explicit PalmMaker(const HandAnatomy& hand) : hand_(hand), palm_(*hand.palm) {
+  explicit PalmBuilder(const HandAnatomy& hand) : hand_(hand), palm_(*hand.palm) {
     for (const char* name : {"index", "middle", "ring", "little"})
       if (const DigitAnatomy* digit = digit_named(hand, name))
         if (digit->root == palm_.segment) fingers_.push_back(digit);
@@ -124,8 +124,9 @@ class PalmMaker {
     length_ = (mean - palm_.wrist).dot(palm_.distal);
   }
 
+  /// Builds the palm.
   ImplicitBody make() {
-    // Lumps blend with those before them, so that their order matters.
+    // Add the lumps in this order: each blends with those before it.
     metacarpals();
     carpus();
     pads();
@@ -136,30 +137,33 @@ class PalmMaker {
   }
 
  private:
-  /// Returns a point of the palm in parts of breadth, length and half thickness, from the wrist.
+  /// Returns a point of the palm in units of breadth, length and half thickness, from the wrist.
   [[nodiscard]] Vector3d at(double radial, double distal, double dorsal) const {
     return palm_.wrist + radial * palm_.breadth * palm_.radial + distal * length_ * palm_.distal +
            dorsal * half_ * palm_.dorsal;
   }
+  /// Returns the radius of a metacarpal head.
   [[nodiscard]] double head_radius(int i) const {
     return std::min(0.88 * half_, 1.08 * fingers_[i]->bones[0].radius);
   }
+  /// Returns the head of a metacarpal.
   [[nodiscard]] Vector3d head(int i) const { return fingers_[i]->bones[0].proximal; }
 
+  /// Adds the metacarpals.
   void metacarpals() {
     const int n = static_cast<int>(fingers_.size());
     for (int i = 0; i < n; ++i)
-      body_.push_back(capsule(foot(i), head(i), 0.82 * half_, head_radius(i), 0.8 * half_));
-    // Interossei fill the gaps between them.
+      body_.push_back(capsule(base(i), head(i), 0.82 * half_, head_radius(i), 0.8 * half_));
+    // Fill the gaps between them by interossei.
     for (int i = 0; i + 1 < n; ++i) {
       const double thick = 0.8 * std::min(head_radius(i), head_radius(i + 1));
-      body_.push_back(sheet(foot(i), head(i), head(i + 1), thick, 0.35 * half_));
-      body_.push_back(sheet(foot(i), head(i + 1), foot(i + 1), thick, 0.35 * half_));
+      body_.push_back(sheet(base(i), head(i), head(i + 1), thick, 0.35 * half_));
+      body_.push_back(sheet(base(i), head(i + 1), base(i + 1), thick, 0.35 * half_));
     }
   }
 
-  /// Returns the point where a metacarpal stands on the carpus.
-  [[nodiscard]] Vector3d foot(int i) const {
+  /// Returns the base of a metacarpal, at the carpus.
+  [[nodiscard]] Vector3d base(int i) const {
     return at(0.20 - 0.40 * i / (static_cast<double>(fingers_.size()) - 1), 0.12, 0);
   }
 
@@ -169,10 +173,10 @@ class PalmMaker {
     body_.push_back(lump);
   }
 
-  /// The hypothenar eminence and the cushion in front of the knuckles.
+  /// Adds the hypothenar eminence and the cushions in front of the knuckles.
   void pads() {
     const int last = static_cast<int>(fingers_.size()) - 1;
-    // Hypothenar eminence, then cushions between the knuckles.
+    // Add the hypothenar eminence, then cushions between the knuckles.
     body_.push_back(capsule(at(-0.25, 0.22, -0.4),
                             head(last) - 0.25 * length_ * palm_.distal - 0.3 * half_ * palm_.dorsal,
                             0.78 * half_, 0.55 * half_, 0.8 * half_));
@@ -183,7 +187,7 @@ class PalmMaker {
     }
   }
 
-  /// Skin between the roots of the fingers, a quarter of the way out along the first phalanges.
+  /// Adds the skin between the roots of the fingers, up to a quarter of the first phalanges.
   void webs() {
     for (int i = 0; i + 1 < static_cast<int>(fingers_.size()); ++i) {
       const DigitBone &a = fingers_[i]->bones[0], &b = fingers_[i + 1]->bones[0];
@@ -193,16 +197,16 @@ class PalmMaker {
     }
   }
 
-  /// Muscles at the root of the thumb, and the palm's share of its web.
+  /// Adds the muscles at the root of the thumb, and the palm's part of its web.
   void thenar(const DigitAnatomy& thumb) {
     const DigitBone& bone = thumb.bones.front();
     const Vector3d down = -0.5 * half_ * palm_.dorsal;
-    // Muscles of the thenar.
+    // Add the thenar muscles.
     body_.push_back(capsule(at(0.16, 0.12, -0.35), beside(bone, 0.3, -0.3) + down, 0.75 * half_,
                             0.75 * half_, half_));
     body_.push_back(capsule(at(0.16, 0.12, -0.1), beside(bone, 0.15, 0), 0.8 * half_,
                             0.9 * bone.radius, half_));
-    // The palm's half of the web.
+    // Add the palm's half of the web.
     const ThumbWeb web = thumb_web(hand_, thumb);
     const Vector3d edge = web.index + 0.65 * (web.thumb - web.index);
     const Vector3d sag = edge + 0.12 * (web.root - edge);
@@ -221,14 +225,14 @@ class PalmMaker {
 std::map<std::string, ImplicitBody> skin_bodies(const HandAnatomy& hand) {
   std::map<std::string, ImplicitBody> bodies;
   for (const DigitAnatomy& digit : hand.digits) {
-    // Phalanges, then the fingertip.
+    // Build the phalanges, then the fingertip.
     const int last = static_cast<int>(digit.bones.size()) - 1;
     for (int i = 0; i < last; ++i)
       bodies[digit.bones[i].segment] =
           digit.name == "thumb" && i == 0 ? thumb_metacarpal(hand, digit) : phalanx(digit, i);
     bodies[digit.bones[last].segment] = fingertip(digit);
   }
-  if (hand.palm) bodies[hand.palm->segment] = PalmMaker(hand).make();
+  if (hand.palm) bodies[hand.palm->segment] = PalmBuilder(hand).make();
   return bodies;
 }
 
@@ -237,10 +241,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A joint between two bodies: the plane through its centre, facing the outer one.
+/// Border between two bodies at a joint: the plane through its centre, facing the outer one.
 struct Border {
   const ImplicitBody* other;
-  Vector3d center, outward;  // outward of the body that asks
+  Vector3d center, outward;  // outward from the body that owns the border
 };
 
 /// Appends the border between two segments to both.
@@ -252,11 +256,12 @@ void add_border(const std::map<std::string, ImplicitBody>& bodies, const std::st
   borders[outer].push_back({&bodies.at(inner), center, -outward});
 }
 
+/// Builds the borders between neighbouring segments.
 std::map<std::string, std::vector<Border>> borders_of(
     const HandAnatomy& hand, const std::map<std::string, ImplicitBody>& bodies) {
   std::map<std::string, std::vector<Border>> borders;
   for (const DigitAnatomy& digit : hand.digits) {
-    // Planes between neighbours bisect the bend at the joint.
+    // Add planes that bisect the bend at each joint.
     std::string inner = digit.root;
     Vector3d before = (digit.bones[0].distal - digit.bones[0].proximal).normalized();
     for (const DigitBone& bone : digit.bones) {
@@ -270,10 +275,10 @@ std::map<std::string, std::vector<Border>> borders_of(
   return borders;
 }
 
-/// Share of a cell that neighbours leave to a body [1].
+/// Computes the fraction of a cell that belongs to a body and not to its neighbours [1].
 double share_left(const std::vector<Border>& borders, const Vector3d& p, double step) {
   double share = 1;
-  // Half spaces of neighbours that overlap here.
+  // Subtract the half spaces of neighbours that overlap here.
   for (const Border& border : borders) {
     const double beyond = (p - border.center).dot(border.outward) / step;
     if (beyond > -0.5 && implicit_height(*border.other, p) < 0)
@@ -282,9 +287,9 @@ double share_left(const std::vector<Border>& borders, const Vector3d& p, double 
   return share;
 }
 
-/// Sums over the cells of a grid.
+/// Integrates the mass over the cells of a grid.
 LinkMass integrate(const ImplicitBody& body, const std::vector<Border>& borders) {
-  // About 80 cells along the diagonal.
+  // Set up a grid with 80 cells along the diagonal.
   const Eigen::AlignedBox3d box = implicit_bounds(body);
   const double step = box.diagonal().norm() / 80;
   const Eigen::Vector3i cells = (box.sizes() / step).array().ceil().cast<int>();
@@ -294,19 +299,19 @@ LinkMass integrate(const ImplicitBody& body, const std::vector<Border>& borders)
   for (int i = 0; i < cells.x(); ++i)
     for (int j = 0; j < cells.y(); ++j)
       for (int k = 0; k < cells.z(); ++k) {
-        // Part of the cell inside the body, less that of neighbours.
+        // Compute the part of the cell inside the body, less that of neighbours.
         const Vector3d p = box.min() + step * Vector3d(i + 0.5, j + 0.5, k + 0.5);
         double part = std::clamp(0.5 - implicit_height(body, p) / step, 0.0, 1.0);
         if (part > 0) part *= share_left(borders, p, step);
         if (part == 0) continue;
-        // Moments of the cell about the middle of the box.
+        // Add the moments of the cell about the middle of the box.
         const Vector3d from = p - box.center();
         volume += part;
         first += part * from;
         second += part * (from * from.transpose() + step * step / 12 * Matrix3d::Identity());
       }
   if (volume == 0) return {};
-  // About the centre of mass.
+  // Shift the moments to the centre of mass.
   const Vector3d com = first / volume;
   second -= volume * com * com.transpose();
   const double cell = kHandDensity * step * step * step;
@@ -333,7 +338,7 @@ std::map<std::string, LinkMass> skin_masses(const HandAnatomy& hand,
 Subject with_skin_masses(Subject subject) {
   const HandAnatomy hand = find_anatomy(subject);
   const auto masses = skin_masses(hand, skin_bodies(hand));
-  // Only where nothing is stated.
+  // Set masses only where nothing is stated.
   for (Segment& segment : subject.segments) {
     const auto found = masses.find(segment.name);
     if (found == masses.end() || segment.mass > 0 || segment.radius > 0) continue;

@@ -11,40 +11,43 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Marks places where rays leave the skin.
-class Marker {
+/// Finder of landmarks where rays leave the skin.
+class LandmarkFinder {
  public:
-  Marker(const HandAnatomy& hand, const Skeleton& skeleton)
+  LandmarkFinder(const HandAnatomy& hand, const Skeleton& skeleton)
       : bodies_(skin_bodies(hand)), skeleton_(skeleton) {}
 
   /// Returns the landmark where the ray from a point within a segment leaves its skin.
   [[nodiscard]] SkinLandmark mark(const std::string& digit, const std::string& segment,
                                   const Vector3d& from, const Vector3d& direction) const {
-    // Bisection along the ray.
+    // Bisect along the ray.
     const ImplicitBody& body = bodies_.at(segment);
     double inside = 0, outside = implicit_bounds(body).diagonal().norm();
     while (outside - inside > 1e-9) {
       const double middle = (inside + outside) / 2;
       (implicit_height(body, from + middle * direction) < 0 ? inside : outside) = middle;
     }
-    // In the hand's frame at the skeleton's posture.
+    // Convert to the hand's frame at the skeleton's posture.
     const Vector3d p = from + inside * direction;
     const Pose<double>& at = skeleton_.segment_at.at(segment);
     return {digit, segment, skeleton_.link_of_segment.at(segment), at * p,
             at.R * slope(body, p).normalized()};
   }
 
+  /// Returns whether a segment is kept and has skin.
   [[nodiscard]] bool keeps(const std::string& segment) const {
     return skeleton_.link_of_segment.count(segment) > 0 && bodies_.count(segment) > 0;
   }
 
+  /// Returns the rotation of a segment by frozen joints.
   [[nodiscard]] const Eigen::Matrix3d& turn(const std::string& segment) const {
     return skeleton_.segment_at.at(segment).R;
   }
 
  private:
+  /// Computes the unnormalised gradient of the height by central differences.
   static Vector3d slope(const ImplicitBody& body, const Vector3d& p) {
-    const double h = 1e-6;  // [m]
+    const double h = 1e-6;  // step of the differences [m]
     Vector3d slope;
     for (int i = 0; i < 3; ++i)
       slope[i] = implicit_height(body, p + h * Vector3d::Unit(i)) -
@@ -56,16 +59,19 @@ class Marker {
   const Skeleton& skeleton_;
 };
 
+/// Returns the point of a bone at a fraction of its length.
 Vector3d along(const DigitBone& bone, double part) {
   return bone.proximal + part * (bone.distal - bone.proximal);
 }
 
+/// Returns the direction of a bone towards distal.
 Vector3d direction(const DigitBone& bone) { return (bone.distal - bone.proximal).normalized(); }
 
-/// A fingertip's last point lies on its axis: the ray starts well within.
+/// Returns a point of the axis well within a fingertip, from which rays start.
 Vector3d within_tip(const DigitBone& bone) { return along(bone, 0.6); }
 
-void add_index_sides(const Marker& marker, const HandAnatomy& hand,
+/// Adds targets 1 and 2.
+void add_index_sides(const LandmarkFinder& marker, const HandAnatomy& hand,
                      std::vector<OppositionTarget>& targets) {
   const DigitAnatomy* index = digit_named(hand, "index");
   if (index == nullptr || !marker.keeps(index->bones[0].segment)) return;
@@ -78,14 +84,15 @@ void add_index_sides(const Marker& marker, const HandAnatomy& hand,
   }
 }
 
-void add_tips(const Marker& marker, const HandAnatomy& hand,
+/// Adds targets 3 to 6.
+void add_tips(const LandmarkFinder& marker, const HandAnatomy& hand,
               std::vector<OppositionTarget>& targets) {
   int score = 3;
   for (const char* name : {"index", "middle", "ring", "little"}) {
     const DigitAnatomy* digit = digit_named(hand, name);
     if (digit != nullptr && marker.keeps(digit->bones.back().segment)) {
       const DigitBone& bone = digit->bones.back();
-      // Tip to tip: the end of the pad, half way between palmar and straight on.
+      // Mark the end of the pad, half way between palmar and distal.
       const Vector3d ahead = (direction(bone) - bone.dorsal).normalized();
       targets.push_back({score, std::string("tip of the ") + name + " finger",
                          marker.mark(name, bone.segment, within_tip(bone), ahead)});
@@ -94,14 +101,15 @@ void add_tips(const Marker& marker, const HandAnatomy& hand,
   }
 }
 
-void add_little_creases(const Marker& marker, const HandAnatomy& hand,
+/// Adds targets 7 to 10.
+void add_little_creases(const LandmarkFinder& marker, const HandAnatomy& hand,
                         std::vector<OppositionTarget>& targets) {
   const DigitAnatomy* little = digit_named(hand, "little");
   if (little == nullptr || !marker.keeps(little->bones[0].segment)) return;
   const char* names[] = {"little finger's DIP crease", "little finger's PIP crease",
                          "little finger's root crease"};
   for (int i = 0; i < 3; ++i) {
-    // Creases over DIP and PIP lie at the joints, that of the root a third out along the phalanx.
+    // Mark the creases over DIP and PIP at the joints, that of the root a third along the phalanx.
     const DigitBone& bone = little->bones[2 - i];
     const Vector3d from = i < 2 ? bone.proximal : along(bone, 0.34);
     targets.push_back({7 + i, names[i], marker.mark("little", bone.segment, from, -bone.dorsal)});
@@ -117,9 +125,9 @@ void add_little_creases(const Marker& marker, const HandAnatomy& hand,
 }  // namespace
 
 std::vector<SkinPatch> skin_patches(const HandAnatomy& hand, const Skeleton& skeleton) {
-  const Marker marker(hand, skeleton);
+  const LandmarkFinder marker(hand, skeleton);
   std::vector<SkinPatch> patches;
-  // Pad and nail of each distal phalanx.
+  // Add pad and nail of each distal phalanx.
   for (const DigitAnatomy& digit : hand.digits) {
     const DigitBone& bone = digit.bones.back();
     if (!marker.keeps(bone.segment)) continue;
@@ -136,7 +144,7 @@ std::vector<SkinPatch> skin_patches(const HandAnatomy& hand, const Skeleton& ske
 }
 
 bool on_patch(const SkinPatch& patch, const Vector3d& p) {
-  // Coordinates on the patch, in parts of its half axes.
+  // Compute coordinates on the patch over its half axes.
   const Vector3d from = p - patch.middle.p;
   const Vector3d across = patch.middle.outward.cross(patch.along);
   const double u = from.dot(patch.along) / patch.half_length;
@@ -161,7 +169,7 @@ Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton, const std:
 }
 
 std::vector<OppositionTarget> kapandji_targets(const HandAnatomy& hand, const Skeleton& skeleton) {
-  const Marker marker(hand, skeleton);
+  const LandmarkFinder marker(hand, skeleton);
   std::vector<OppositionTarget> targets;
   add_index_sides(marker, hand, targets);
   add_tips(marker, hand, targets);

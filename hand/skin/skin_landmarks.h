@@ -1,6 +1,6 @@
 #pragma once
 
-/// Named places on the skin: pads, nails, and the targets of thumb opposition.
+/// Landmarks of the skin: pads, nails, and the targets of thumb opposition.
 
 #include <string>
 #include <vector>
@@ -11,31 +11,31 @@
 
 namespace thenar {
 
-/// A point of the skin, at the reference posture in the hand's frame.
+/// Point of the skin, at the reference posture in the hand's frame.
 struct SkinLandmark {
   std::string digit;  // empty: palm
   std::string segment;
-  int link = -1;            // of the skeleton
-  Eigen::Vector3d p;        // [m] (3)
-  Eigen::Vector3d outward;  // unit normal of the skin (3)
+  int link = -1;            // link of the skeleton
+  Eigen::Vector3d p;        // position [m] (3)
+  Eigen::Vector3d outward;  // unit outward normal of the skin (3)
 };
 
 /// Part of a fingertip.
 enum class PatchKind { kPad, kNail };
 
-/// An oval on the skin of a fingertip.
+/// Oval patch of the skin of a fingertip.
 struct SkinPatch {
   PatchKind kind;
   SkinLandmark middle;
-  Eigen::Vector3d along;  // unit, towards the tip (3)
-  double half_length;     // along [m]
-  double half_breadth;    // across [m]
+  Eigen::Vector3d along;  // unit direction towards the tip (3)
+  double half_length;     // half length along that direction [m]
+  double half_breadth;    // half breadth across it [m]
 };
 
-/// Pad and nail of every digit that the skeleton keeps. The pad is centred four tenths of the
-/// distal phalanx before the tip and reaches over a third of it either way, the nail three tenths
-/// before the tip with that half length; breadths are those of the fingertip: priors, chosen by
-/// eye.
+/// Builds pad and nail of every digit that the skeleton keeps. The centre of the pad is four tenths
+/// of the distal phalanx before the tip, with a half length of a third of it; that of the nail
+/// three tenths before the tip, with a half length of a quarter; breadths are in proportion to the
+/// fingertip. These ratios are assumptions, chosen by eye.
 [[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
                                                   const Skeleton& skeleton);
 
@@ -53,19 +53,20 @@ struct SkinPatch {
 [[nodiscard]] Eigen::Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton,
                                          const std::string& digit);
 
-/// A place that the tip of the thumb should reach.
+/// Landmark that the tip of the thumb should reach.
 struct OppositionTarget {
-  int score;         // 1 .. 10 for reaching it
+  int score;         // 1 .. 10, the score for reaching it
   std::string name;  // "tip of the ring finger"
   SkinLandmark mark;
 };
 
-/// The ten places of Kapandji's opposition score, with those digits that the skeleton keeps:
+/// Builds the ten landmarks of Kapandji's opposition score, for those digits that the skeleton
+/// keeps:
 ///   1, 2   radial side of the index finger's proximal and middle phalanx
 ///   3 - 6  tips of index, middle, ring and little finger
 ///   7 - 9  creases of the little finger over the DIP, PIP and MCP joints
 ///   10     the distal crease of the palm below the little finger
-/// A score of 0 is none of them. Source: [Kapandji1986].
+/// A score of 0 means none of them. Source: [Kapandji1986].
 [[nodiscard]] std::vector<OppositionTarget> kapandji_targets(const HandAnatomy& hand,
                                                              const Skeleton& skeleton);
 

@@ -39,7 +39,7 @@ BuiltNet built_net(const SpecimenNet<double>& net, double angle) {
   // Set muscles, and their shares in the pulls.
   for (std::size_t m = 0; m < out.muscles.size(); ++m) {
     out.muscles[m].to_net = net.to_net[m];
-    out.muscles[m].own = net.own[m];
+    out.muscles[m].own_path = net.own[m];
   }
   const Eigen::VectorXd shares = pull_shares(net, angle);
   for (std::size_t p = 0; p < out.pulls.size(); ++p) out.pulls[p].share = shares[p];

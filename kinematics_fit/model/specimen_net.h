@@ -57,7 +57,7 @@ template <typename T>
     to.to_net[m] = T(from->muscles[m].to_net);
     to.first[m] = T(first_share(*from, static_cast<int>(m)).value_or(1));
     to.own.emplace_back();
-    for (const PathNode<double>& node : from->muscles[m].own)
+    for (const PathNode<double>& node : from->muscles[m].own_path)
       to.own.back().push_back({node.link, node.p.template cast<T>()});
   }
   to.built = std::move(from);
@@ -77,8 +77,8 @@ void move_with_path(const PathNode<double>& point, const Vec3<T>& by, SpecimenNe
     if (!built.net.nodes[i].free && lies_at(point, built.net.nodes[i].link, built.net.nodes[i].p))
       to.place[i] += by;
   for (std::size_t m = 0; m < built.muscles.size(); ++m)
-    for (std::size_t k = 0; k < built.muscles[m].own.size(); ++k)
-      if (lies_at(point, built.muscles[m].own[k].link, built.muscles[m].own[k].p))
+    for (std::size_t k = 0; k < built.muscles[m].own_path.size(); ++k)
+      if (lies_at(point, built.muscles[m].own_path[k].link, built.muscles[m].own_path[k].p))
         to.own[m][k].p += by;
 }
 

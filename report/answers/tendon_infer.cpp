@@ -202,7 +202,7 @@ namespace {
 /// The band's stiffness, if the data decide it.
 std::string stiffness(const BandVerdict& band) {
   if (band.EA == 0) return "-";
-  return band.EA_told ? shown(band.EA, 1) : "not decided by the data";
+  return band.EA_determined ? shown(band.EA, 1) : "not decided by the data";
 }
 
 /// Evidence as a number; what an infinite one means.
@@ -292,14 +292,15 @@ Fields fields_of(const InferNetResult& inference) {
   // Bands.
   for (std::size_t k = 0; k < net.verdicts.size(); ++k) {
     const BandVerdict& band = net.verdicts[k];
-    bands.push_back({{"band", band.name},
-                     {"from", inference.ends[k].from},
-                     {"to", inference.ends[k].to},
-                     {"verdict", to_string(band.verdict)},
-                     {"evidence", band.evidence},
-                     {"converged", band.converged},
-                     {"EA", units::kNewton, band.EA_told || band.EA == 0 ? band.EA : std::nan("")},
-                     {"sd_of_log_EA", band.EA_sd}});
+    bands.push_back(
+        {{"band", band.name},
+         {"from", inference.ends[k].from},
+         {"to", inference.ends[k].to},
+         {"verdict", to_string(band.verdict)},
+         {"evidence", band.evidence},
+         {"converged", band.converged},
+         {"EA", units::kNewton, band.EA_determined || band.EA == 0 ? band.EA : std::nan("")},
+         {"sd_of_log_EA", band.EA_sd}});
   }
   for (const BandGroup& group : net.groups)
     groups.push_back({{"bands", names_of(group, net)}, {"ways", group.ways.size()}});
@@ -334,7 +335,7 @@ Table table_of(const InferNetResult& inference) {
     const BandVerdict& band = inference.inferred.verdicts[k];
     table.add({band.name, inference.ends[k].from, inference.ends[k].to, to_string(band.verdict),
                fmt::format("{:.10g}", band.evidence),
-               band.EA_told || band.EA == 0 ? fmt::format("{:.10g}", band.EA) : "",
+               band.EA_determined || band.EA == 0 ? fmt::format("{:.10g}", band.EA) : "",
                fmt::format("{:.10g}", band.EA_sd), band.converged ? "1" : "0"});
   }
   return table;

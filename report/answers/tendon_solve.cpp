@@ -51,22 +51,23 @@ std::vector<BandRow> band_rows(const LoadedDigit& loaded, const DigitPoint& poin
     const NetBand& band = net.bands[k];
     const double tension = point.rest.tension[static_cast<Eigen::Index>(k)];
     const bool bent = band_course(net, state, point.rest, static_cast<int>(k)).bent;
-    rows.push_back({band.name, nth(net.nodes, band.a).name, nth(net.nodes, band.b).name,
-                    std::string(tension > kTaut ? "taut" : "slack") + (bent ? ", on bone" : ""),
-                    point.rest.length[static_cast<Eigen::Index>(k)],
-                    band.muscle < 0 ? band.slack : std::nan(""), tension});
+    rows.push_back(
+        {band.name, nth(net.nodes, band.a).name, nth(net.nodes, band.b).name,
+         std::string(tension > kTautTension ? "taut" : "slack") + (bent ? ", on bone" : ""),
+         point.rest.length[static_cast<Eigen::Index>(k)],
+         band.muscle < 0 ? band.slack : std::nan(""), tension});
   }
   return rows;
 }
 
 /// Terminal per central slip; NaN if the central one is slack.
 double slip_ratio(const SlipTension& slips) {
-  return slips.central > kTaut ? slips.terminal / slips.central : std::nan("");
+  return slips.central > kTautTension ? slips.terminal / slips.central : std::nan("");
 }
 
 /// A tension with four decimals; "0" for a slack tendon.
 std::string shown_tension(double tension) {
-  return std::abs(tension) > kTaut ? shown(tension, 4) : "0";
+  return std::abs(tension) > kTautTension ? shown(tension, 4) : "0";
 }
 
 /// Subject, digit, fidelity, net and tensions: the first fields of every answer.

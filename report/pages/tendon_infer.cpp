@@ -14,9 +14,9 @@ Json verdict_block(const InferNetResult& inference) {
   Json rows = Json::array();
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
-    const Json EA = band.EA == 0   ? Json("-")
-                    : band.EA_told ? Json(band.EA)
-                                   : Json("not decided by the data");
+    const Json EA = band.EA == 0         ? Json("-")
+                    : band.EA_determined ? Json(band.EA)
+                                         : Json("not decided by the data");
     const bool known = band.EA != 0 && std::isfinite(band.EA_sd);
     rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
                     to_string(band.verdict),

@@ -53,7 +53,7 @@ Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
   for (std::size_t k = 0; k < net.bands.size(); ++k) {
     const auto band = static_cast<Eigen::Index>(k);
     Json item = line(band_course(net, state, rest, static_cast<int>(k)).points);
-    if (rest.tension[band] > kTaut) {
+    if (rest.tension[band] > kTautTension) {
       item["value"] = rest.tension[band];
       item["width"] = net.bands[k].muscle < 0 ? 6 : 4;
       taut.push_back(item);
@@ -91,7 +91,7 @@ Json muscle_layer(const NetTendons& tendons, const TreeState<double>& state,
   const std::vector<std::string>& names = tendons.digit().names.muscles;
   for (const NetMuscle& muscle : tendons.net().muscles) {
     std::vector<Eigen::Vector3d> points;
-    for (const PathNode<double>& node : muscle.own) {
+    for (const PathNode<double>& node : muscle.own_path) {
       points.push_back(moved(state, node.link, node.p));
       if (node.link < 0 && points.size() > 1) break;  // further up it turns no joint
     }

@@ -309,7 +309,7 @@ std::string alone_words(const ThumbRecoveryResult& result) {
   const DataUpdate& both = update_by_both(prior);
   const std::string cannot = fmt::format(
       " Of {} thumbs of the prior {} cannot press in key pinch at all and have no weight.{}\n\n",
-      prior.tilts.cols(), (prior.predicted.intact.array() < kNoPinch).count(),
+      prior.tilts.cols(), (prior.predicted.intact.array() < kMinPinchForce).count(),
       undecided_words(prior));
   if (!both.message.empty())
     return fmt::format("What the {} numbers teach alone is not told: {}.", measured_numbers(of),

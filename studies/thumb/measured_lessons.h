@@ -28,8 +28,8 @@ struct MeasuredPredictions {
                           // trials, draws)
   Eigen::MatrixXd clamped;  // forces of all trials, tip clamped [N] (3 trials, draws)
   Eigen::VectorXd intact;   // pinch with all muscles [N] (draws); NaN: undecided
-  Eigen::MatrixXd loss;  // loss of pinch force, NaN where `intact` is below kNoPinch or a program
-                         // is undecided [1] (blocks, draws)
+  Eigen::MatrixXd loss;     // loss of pinch force, NaN where `intact` is below kMinPinchForce or a
+                         // program is undecided [1] (blocks, draws)
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
@@ -49,7 +49,7 @@ struct AddedData {
 /// Draws updated by an addition.
 struct DataUpdate {
   AddedData added;
-  std::string message;         // why there are no tilts; empty: there are
+  std::string message;        // why there are no tilts; empty: there are
   ImportanceWeights weights;  // weights of the draws
   WeightedSpread tilts;       // spread of ReweightedDraws::tilts [rad]
 };

@@ -10,8 +10,8 @@
 namespace thenar {
 namespace {
 
-// Size of a limit that leaves no interior, over the unit of force [1]
-constexpr double kTouchingShare = 1e-7;
+// Relaxation of constraints that leave no interior, over the unit of force [1]
+constexpr double kInteriorRelaxation = 1e-7;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -29,18 +29,18 @@ struct Unknowns {
   }
 };
 
-/// All limits below one another.
+/// Evaluates all constraints, stacked.
 ConstraintValue evaluate(const std::vector<ForceConstraint>& limits, const Vector3d& f,
                          const VectorXd& t) {
   ConstraintValue all{VectorXd(0), Eigen::MatrixX3d(0, 3), MatrixXd(0, t.size())};
   for (const ForceConstraint& limit : limits) {
-    // Value and gradients of one limit.
+    // Evaluate value and gradients of one constraint.
     const ConstraintValue one = limit(f, t);
     const Index k = one.g.size(), old = all.g.size();
     require(one.dg_df.rows() == k && one.dg_dt.rows() == k && one.dg_dt.cols() == t.size(),
             "a limit of {} rows has gradients of {} and {} rows, for {} of {} tensions", k,
             one.dg_df.rows(), one.dg_dt.rows(), one.dg_dt.cols(), t.size());
-    // Appended to those above.
+    // Append them.
     all.g.conservativeResize(old + k);
     all.dg_df.conservativeResize(old + k, 3);
     all.dg_dt.conservativeResize(old + k, t.size());
@@ -51,24 +51,24 @@ ConstraintValue evaluate(const std::vector<ForceConstraint>& limits, const Vecto
   return all;
 }
 
-/// The balance alone: E z = e with the bounds of amounts and activations.
+/// Builds the program of the balance alone: E z = e with the bounds of amounts and activations.
 LinearProgram balance_program(const internal::TipBalance& balance, const MatrixXd& loads,
                               ForceDirection aim) {
-  const Index n = loads.rows(), k = loads.cols(), m = balance.most.size();
+  const Index n = loads.rows(), k = loads.cols(), m = balance.upper.size();
   LinearProgram program;
-  // Balance in the rows: loads and tensions.
+  // Set the balance of loads and tensions in the rows.
   program.A.resize(n, k + m);
   program.A << loads, balance.tension_part;
   program.row_lower = program.row_upper = balance.constant;
   program.lower = VectorXd::Zero(k + m);
-  // Amounts along a component may be negative.
+  // Set the bounds; amounts along a component may be negative.
   if (aim == ForceDirection::kComponent) program.lower.head(k).setConstant(-kInfinity);
   program.upper = VectorXd::Constant(k + m, kInfinity);
-  program.upper.tail(m) = balance.most;
+  program.upper.tail(m) = balance.upper;
   return program;
 }
 
-/// Adds the limits as rows below the bounds.
+/// Adds the constraints as rows below the bounds.
 void add_limits(const internal::RelativeInterior& interior, const Unknowns& unknowns,
                 const std::vector<ForceConstraint>& limits, NonlinearProgram& program) {
   const auto at = [&limits, &unknowns, &interior](const VectorXd& y) {
@@ -88,7 +88,7 @@ void add_limits(const internal::RelativeInterior& interior, const Unknowns& unkn
   };
   program.jacobian = [at, linear = program.jacobian, &interior, &unknowns, bounds,
                       rows](const VectorXd& y) {
-    // Gradients by the chain rule.
+    // Apply the chain rule.
     const ConstraintValue value = at(y);
     const Index k = unknowns.forces.cols(), m = unknowns.unit.size();
     MatrixXd all(bounds + rows, y.size());
@@ -105,9 +105,9 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
                                    ForceDirection aim, const std::vector<ForceConstraint>& limits) {
   const internal::TipBalance balance = internal::tip_balance(statics);
   const Vector3d d = internal::unit_direction(direction);
-  const Index m = balance.most.size();
+  const Index m = balance.upper.size();
 
-  // Forces either along d alone, or along the axes in which a straight finger has exact zeros.
+  // Parametrise forces along d alone, or along axes in which a straight finger has exact zeros.
   const MatrixXd axes = aim == ForceDirection::kAlong ? MatrixXd(d) : MatrixXd(balance.U);
   const MatrixXd turned = internal::without_rounding(balance.U.transpose() * axes);
   const Unknowns unknowns{balance.force_unit * axes, balance.unit};
@@ -126,7 +126,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   if (interior.status == Status::kStalled) result.message = "a linear program stalled";
   if (interior.status != Status::kSolved) return result;
 
-  // Largest component along the direction, within the limits.
+  // Maximise the component along the direction under the constraints.
   NonlinearProgram program = internal::program_over_interior(interior);
   const Index bounds = program.row_upper.size();
   add_limits(interior, unknowns, limits, program);
@@ -135,20 +135,20 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   program.gradient = [&slope](const VectorXd&) -> VectorXd { return -slope; };
   NonlinearResult best = solve_ipopt(program, VectorXd::Zero(slope.size()));
   if (best.status == Status::kStalled) {
-    // Limits that touch all that is left leave no interior: by a little more there is one.
+    // Relax constraints that leave no interior.
     program.row_upper.tail(program.row_upper.size() - bounds)
-        .setConstant(kTouchingShare * balance.force_unit);
+        .setConstant(kInteriorRelaxation * balance.force_unit);
     best = solve_ipopt(program, VectorXd::Zero(slope.size()));
   }
 
-  // Forces and tensions at the optimum.
+  // Compute forces and tensions at the optimum.
   const VectorXd z = interior.z0 + interior.Z * best.x;
   result.status = best.status;
   result.force = unknowns.force(z);
   result.component = result.status == Status::kUnbounded ? kInfinity : d.dot(result.force);
   result.tension = internal::tension(balance, z.tail(m));
   result.activation = internal::activation(statics, result.tension);
-  // How far limits are exceeded, and first-order conditions in newtons.
+  // Measure constraint violations, and first-order conditions in newtons.
   const VectorXd g = evaluate(limits, result.force, result.tension).g;
   result.excess = g.size() > 0 ? g.maxCoeff() : 0;
   result.message = best.message;

@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Problem that both methods solve: statics, balance, wanted force and exponent p.
+/// Problem of both methods: statics, balance, wanted force and exponent p.
 struct Task {
   const TipStatics& statics;
   const internal::TipBalance& balance;
@@ -26,9 +26,10 @@ struct Task {
   double p;
 };
 
-/// Bounds and balance of the activations that make the wanted force; maximises nothing.
+/// Builds the bounds and balance of activations that produce the wanted force, without an
+/// objective.
 LinearProgram activation_program(const Task& task) {
-  const Index m = task.balance.most.size();
+  const Index m = task.balance.upper.size();
   const VectorXd wanted =
       task.balance.row_scale.cwiseProduct(task.statics.J.transpose() * task.wanted);
   LinearProgram program;
@@ -36,10 +37,11 @@ LinearProgram activation_program(const Task& task) {
   program.A = task.balance.tension_part;
   program.row_lower = program.row_upper = task.balance.constant - wanted;
   program.lower = VectorXd::Zero(m);
-  program.upper = task.balance.most;
+  program.upper = task.balance.upper;
   return program;
 }
 
+/// Builds the result from activations and force.
 Coordination report(const Task& task, Status status, const VectorXd& a, const Vector3d& force,
                     const std::string& message, double gap = KktResidual::kUnknown) {
   Coordination result{status, internal::tension(task.balance, a), {}, 0, force, {}, message, gap};
@@ -50,25 +52,25 @@ Coordination report(const Task& task, Status status, const VectorXd& a, const Ve
   return result;
 }
 
-/// No tensions and no force, because a linear program stopped short of an answer.
+/// Builds the result without tensions and force, where a linear program stopped without a solution.
 Coordination unsolved(const Task& task, Status status) {
-  return report(task, status, VectorXd::Zero(task.balance.most.size()), Vector3d::Zero(),
+  return report(task, status, VectorXd::Zero(task.balance.upper.size()), Vector3d::Zero(),
                 "a linear program stalled");
 }
 
-/// Returns an upper bound of a convex objective's excess over its minimum:  sum of price x distance
-/// to bounds, and the slope that is left times how far away the optimum can be.
+/// Computes an upper bound of a convex objective's excess over its minimum: the sum of multiplier x
+/// distance to bounds, plus the residual gradient times the largest distance of the optimum.
 double convex_gap(const NonlinearResult& result, double radius) {
   const double slope =
       result.kkt_residual.stationarity * std::sqrt(static_cast<double>(result.x.size()));
   return result.kkt_residual.complementarity + slope * radius;
 }
 
-/// Diameter of the box of m activations between 0 and 1.
+/// Computes the diameter of the box of m activations between 0 and 1.
 double diameter(Index m) { return std::sqrt(static_cast<double>(m)); }
 
-/// Effort as a function of y with exact second derivatives; |a|^p, so that a trial step beyond zero
-/// stays convex.
+/// Builds the effort as a function of y with exact second derivatives; |a|^p, so that it is convex
+/// for trial steps below zero.
 NonlinearProgram effort_program(const internal::RelativeInterior& interior, double p) {
   NonlinearProgram program = internal::program_over_interior(interior);
   const auto activation = [&interior](const VectorXd& y) -> ArrayXd {
@@ -83,17 +85,18 @@ NonlinearProgram effort_program(const internal::RelativeInterior& interior, doub
   };
   program.hessian = [activation, &interior, p](const VectorXd& y, double factor,
                                                const VectorXd&) -> MatrixXd {
-    const ArrayXd a = activation(y).abs().max(1e-12);  // p < 2 is infinitely curved at zero
+    const ArrayXd a =
+        activation(y).abs().max(1e-12);  // for p < 2 the curvature at zero is infinite
     const VectorXd curvature = factor * p * (p - 1) * a.pow(p - 2);
     return interior.Z.transpose() * curvature.asDiagonal() * interior.Z;
   };
   return program;
 }
 
-/// The force in reach that is nearest to the wanted one:  minimise |U phi - wanted|^2.
-Coordination nearest(const Task& task) {
+/// Computes the feasible force nearest to the wanted one:  minimise |U phi - wanted|^2.
+Coordination nearest_force(const Task& task) {
   const internal::TipBalance& balance = task.balance;
-  const Index m = balance.most.size();
+  const Index m = balance.upper.size();
   LinearProgram everything = activation_program(task);
   everything.A.resize(balance.constant.size(), 3 + m);
   everything.A << balance.force_part, balance.tension_part;
@@ -101,7 +104,7 @@ Coordination nearest(const Task& task) {
   everything.lower = VectorXd::Zero(3 + m);
   everything.lower.head<3>().setConstant(-std::numeric_limits<double>::infinity());
   everything.upper = VectorXd::Constant(3 + m, std::numeric_limits<double>::infinity());
-  everything.upper.tail(m) = balance.most;
+  everything.upper.tail(m) = balance.upper;
   const internal::RelativeInterior interior = internal::relative_interior(everything);
   if (interior.status != Status::kSolved)
     return report(task, interior.status, VectorXd::Zero(m), Vector3d::Zero(),
@@ -124,7 +127,7 @@ Coordination nearest(const Task& task) {
   const Status status = best.status;
   const VectorXd z = interior.z0 + interior.Z * best.x;
   const auto square = [](double value) { return value * value; };
-  // The optimum is no farther from the wanted force than this, so at most twice that from here.
+  // Bound the distance of the optimum by twice the present miss.
   return report(
       task, status == Status::kSolved ? Status::kInfeasible : status, z.tail(m),
       balance.force_unit * (balance.U * z.head(3)),
@@ -148,15 +151,15 @@ Coordination coordinate(const TipStatics& statics, const Vector3d& f,
   if (options.p == 1) {
     linear.objective.setConstant(-1);
     const LinearResult best = solve(linear);
-    if (best.status == Status::kInfeasible) return nearest(task);
+    if (best.status == Status::kInfeasible) return nearest_force(task);
     if (best.status != Status::kSolved) return unsolved(task, best.status);
     return report(task, Status::kSolved, best.x, f, "linear program", best.certificate.gap);
   }
 
   const internal::RelativeInterior interior = internal::relative_interior(linear);
-  if (interior.status == Status::kInfeasible) return nearest(task);
+  if (interior.status == Status::kInfeasible) return nearest_force(task);
   if (interior.status != Status::kSolved) return unsolved(task, interior.status);
-  NonlinearOptions sharp;  // a silent muscle is off by the p-th root of this
+  NonlinearOptions sharp;  // the error of a silent muscle is the p-th root of the tolerance
   sharp.tolerance = 1e-13;
   const NonlinearResult best =
       solve_ipopt(effort_program(interior, options.p), VectorXd::Zero(interior.Z.cols()), sharp);

@@ -28,46 +28,47 @@ using Eigen::VectorXd;
 constexpr double kCertifiedExcess = 1e-9;
 // Largest excess for a thin set, whose rounding is larger [1]
 constexpr double kAcceptedExcess = 1e-6;
-constexpr double kFlatWidth = 1e-9;  // Sets with a smaller width, over their size, are flat [1]
-constexpr double kNoForce = 1e-9;    // Smaller sets are a point, in force units [1]
-// Support points closer than this share of the extent are one [1]
+constexpr double kFlatWidth = 1e-9;  // width over size below which a set is flat [1]
+constexpr double kPointSize = 1e-9;  // size below which a set is a point, in force units [1]
+// Distance over extent below which support points coincide [1]
 constexpr double kSamePoint = 1e-10;
-constexpr double kStraightEdge = 1e-6;  // Corners with a smaller sine of their angle are none [1]
+constexpr double kStraightEdge = 1e-6;  // smallest sine of the angle of a corner [1]
 // Largest relative difference of the volumes by x, y and z [1]
 constexpr double kVolumeDifference = 1e-9;
-constexpr int kMaxRounds = 200;  // Most rounds of hull growth; about 6 are needed
+constexpr int kMaxRounds = 200;  // rounds of hull growth; about 6 are needed
 
-/// A point of the set, and activations that make it.
+/// Point of the set, with activations that produce it.
 struct Point {
   VectorXd phi;  // coordinates along the first r columns of U, in force units (r)
   VectorXd a;    // (m)
-  double gap;    // by which the set may reach farther, in the unit of the direction asked for
+  double gap;    // bound of how much farther the set may reach, in the unit of the search direction
 };
 
-/// Asks for the farthest point of the set in any direction.
+/// Oracle of the farthest point of the set in any direction.
 class SupportOracle {
  public:
   explicit SupportOracle(const internal::TipBalance& balance) : r_(balance.rank) {
-    const Index n = balance.constant.size(), m = balance.most.size();
+    const Index n = balance.constant.size(), m = balance.upper.size();
     program_.A.resize(n, r_ + m);
     program_.A << balance.force_part.leftCols(r_), balance.tension_part;
     program_.row_lower = program_.row_upper = balance.constant;
     program_.lower = VectorXd::Zero(r_ + m);
     program_.lower.head(r_).setConstant(-std::numeric_limits<double>::infinity());
     program_.upper = VectorXd::Constant(r_ + m, std::numeric_limits<double>::infinity());
-    program_.upper.tail(m) = balance.most;
+    program_.upper.tail(m) = balance.upper;
     program_.objective = VectorXd::Zero(r_ + m);
   }
 
   [[nodiscard]] Index dimension() const { return r_; }
-  [[nodiscard]] Status worst() const { return worst_; }  // of all answers so far
+  [[nodiscard]] Status worst() const { return worst_; }  // worst status of all results so far
 
+  /// Finds the farthest point in a direction.
   Point farthest(const VectorXd& direction) {
     program_.objective.head(r_) = direction;
     LinearResult result = solve(program_);
     if (result.status != Status::kSolved) {
       worst_ = result.status;
-      result.x.setZero();  // no point is farthest
+      result.x.setZero();  // no such point
     }
     return {result.x.head(r_), result.x.tail(result.x.size() - r_), result.certificate.gap};
   }
@@ -87,25 +88,27 @@ struct Frame {
   [[nodiscard]] VectorXd local(const VectorXd& phi) const {
     return (axes.transpose() * (phi - centre)).cwiseQuotient(half);
   }
-  /// u with u' phi = normal' local(phi) + constant: of order one over the set, however thin.
+  /// Computes u with u' phi = normal' local(phi) + constant: of order one over the set, however
+  /// thin.
   [[nodiscard]] VectorXd outward(const VectorXd& local_normal) const {
     return axes * local_normal.cwiseQuotient(half);
   }
 };
 
+/// Appends a column.
 void append(const VectorXd& column, MatrixXd& matrix) {
   matrix.conservativeResize(column.size(), matrix.cols() + 1);
   matrix.rightCols<1>() = column;
 }
 
-/// The difference a - b across `known`; taken out twice, so that rounding is out too.
+/// Computes the component of a - b across `known`, projected twice to remove rounding.
 VectorXd across(const MatrixXd& known, const Point& a, const Point& b) {
   VectorXd difference = a.phi - b.phi;
   for (int twice = 0; twice < 2; ++twice) difference -= known * (known.transpose() * difference);
   return difference;
 }
 
-/// The longest difference from the first point across `known`.
+/// Returns the longest difference from the first point across `known`.
 VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points) {
   VectorXd best = VectorXd::Zero(points.front().phi.size());
   for (const Point& point : points) {
@@ -115,7 +118,7 @@ VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points) 
   return best;
 }
 
-/// Any unit vector across `known`.
+/// Returns some unit vector across `known`.
 VectorXd any_across(const MatrixXd& known) {
   const Eigen::HouseholderQR<MatrixXd> qr(known);
   return MatrixXd(qr.householderQ()).col(known.cols());
@@ -123,29 +126,29 @@ VectorXd any_across(const MatrixXd& known) {
 
 /// Finds the affine hull: the set is flat across every direction that is not in the frame.
 Frame span(SupportOracle& oracle, std::vector<Point>& points) {
-  // Support points both ways; returns the width between them.
+  // Define how to add support points in both senses; returns the width between them.
   const Index r = oracle.dimension();
   const auto add_both_ways = [&](const VectorXd& u) {
     points.push_back(oracle.farthest(u));
     points.push_back(oracle.farthest(-u));
     return u.dot(points[points.size() - 2].phi - points.back().phi);
   };
-  // Support along the axes, and the size of the set.
+  // Find support points along the axes, and the size of the set.
   for (Index i = 0; i < r; ++i) add_both_ways(VectorXd::Unit(r, i));
   double size = 0;
   for (const Point& point : points) size = std::max(size, point.phi.norm());
-  const double flat = std::max(kFlatWidth * size, kNoForce);
+  const double flat = std::max(kFlatWidth * size, kPointSize);
 
   Frame frame{VectorXd::Zero(r), MatrixXd(r, 0), VectorXd(0)};
-  // One direction after the other, each across those known.
+  // Add one direction after the other, each across those known.
   MatrixXd known(r, 0);
   while (known.cols() < r) {
-    // Follow the longest difference; if there is none, any direction.
+    // Follow the longest difference; if there is none, some direction.
     VectorXd u = widest_across(known, points);
     bool wide = u.norm() > flat;
     u = wide ? u.normalized() : any_across(known);
     double width = add_both_ways(u);
-    if (!wide && width > flat) {  // now there is a difference to follow, at least that long
+    if (!wide && width > flat) {  // a difference of at least that length was found
       wide = true;
       u = across(known, points[points.size() - 2], points.back()).normalized();
       width = add_both_ways(u);
@@ -156,11 +159,12 @@ Frame span(SupportOracle& oracle, std::vector<Point>& points) {
     frame.half.conservativeResize(frame.axes.cols());
     frame.half(frame.axes.cols() - 1) = width / 2;
   }
-  // The centre.
+  // Compute the centre.
   for (const Point& point : points) frame.centre += point.phi / static_cast<double>(points.size());
   return frame;
 }
 
+/// Converts points to the frame.
 MatrixXd local_points(const Frame& frame, const std::vector<Point>& points) {
   MatrixXd local(static_cast<Index>(points.size()), frame.half.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -168,7 +172,7 @@ MatrixXd local_points(const Frame& frame, const std::vector<Point>& points) {
   return local;
 }
 
-/// Adds a point unless it is there; says whether it was added.
+/// Adds a point unless it is there. @return whether it was added
 bool add_new(const Frame& frame, const Point& point, std::vector<Point>& points) {
   const VectorXd local = frame.local(point.phi);
   for (const Point& old : points)
@@ -188,24 +192,24 @@ bool same_plane(const HullFacet& a, const HullFacet& b) {
 }
 
 /// Grows the hull until the farthest point over every facet lies on it.
-/// @param excess  by how much the set may exceed a facet that stayed, as part of the extent
+/// @param excess  amount by which the set may exceed a remaining facet, over the extent
 ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points,
                 double& excess) {
   std::vector<HullFacet> certified;
   excess = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
-    // Hull of the points so far.
+    // Compute the hull of the points so far.
     ConvexHull hull = convex_hull(local_points(frame, points));
     if (!hull.message.empty()) return hull;
     bool grown = false;
-    double open = 0;  // of facets that are exceeded, though by no new point
-    // Ask for the farthest point over every facet that is not certified yet.
+    double open = 0;  // excess over facets without a new point
+    // Find the farthest point over every facet that is not certified yet.
     for (const HullFacet& facet : hull.facets) {
       const auto is_same = [&](const HullFacet& other) { return same_plane(facet, other); };
       if (std::any_of(certified.begin(), certified.end(), is_same)) continue;
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
       const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
-      // A new point grows the hull.
+      // Grow the hull by a new point.
       if (over > kCertifiedExcess && add_new(frame, beyond, points)) grown = true;
       open = max_or_nan(open, over);
       if (over > kCertifiedExcess) continue;
@@ -218,28 +222,28 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
   return {{}, "the hull of feasible forces did not close", {}};
 }
 
-/// Keeps the points where facets of d independent directions meet: true corners, not points
-/// that a tie left inside an edge or a facet.
+/// Keeps the points where facets of d independent directions meet: true corners, not points that a
+/// tie left inside an edge or a facet.
 std::vector<Point> corners(const ConvexHull& hull, const Frame& frame,
                            const std::vector<Point>& points) {
   std::vector<Point> kept;
   for (const Point& point : points) {
     const VectorXd local = frame.local(point.phi);
-    // Normals of the facets that meet at the point.
+    // Collect the normals of the facets that meet at the point.
     MatrixXd normals(local.size(), 0);
     for (const HullFacet& facet : hull.facets)
       if (facet.normal.dot(local) > facet.offset - kCertifiedExcess) append(facet.normal, normals);
     if (normals.cols() < local.size()) continue;
-    // A corner needs as many independent ones as there are dimensions.
+    // Keep a corner with as many independent normals as dimensions.
     const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(normals).singularValues();
     if (sigma(local.size() - 1) > kStraightEdge) kept.push_back(point);
   }
   return kept;
 }
 
-/// Puts the corners of a polygon in order about their centre.
+/// Sorts the corners of a polygon by their angle about the centre.
 void sort_ring(const Frame& frame, std::vector<Point>& points) {
-  // Centre, and angles about it.
+  // Compute the centre, and angles about it.
   VectorXd centre = VectorXd::Zero(2);
   for (const Point& point : points)
     centre += frame.local(point.phi) / static_cast<double>(points.size());
@@ -251,6 +255,7 @@ void sort_ring(const Frame& frame, std::vector<Point>& points) {
             [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
 }
 
+/// Adds a fan of triangles over a polygon.
 void add_fan(const std::vector<int>& ring, FeasibleForceSet& set) {
   for (std::size_t i = 2; i < ring.size(); ++i) {
     set.triangles.conservativeResize(set.triangles.rows() + 1, 3);
@@ -258,12 +263,13 @@ void add_fan(const std::vector<int>& ring, FeasibleForceSet& set) {
   }
 }
 
-double measure(const FeasibleForceSet& set) {
+/// Computes the volume, area or length of the set.
+double set_volume(const FeasibleForceSet& set) {
   const auto vertex = [&](Index i) -> Eigen::Vector3d { return set.vertices.row(i); };
-  // A point counts as 1, an edge by its length.
+  // Return 1 for a point, the length of an edge.
   if (set.dimension == 0) return 1;
   if (set.dimension == 1) return (vertex(1) - vertex(0)).norm();
-  // Triangles: area, or volume of the cones over the first vertex.
+  // Sum over triangles the area, or the volume of the cone over the first vertex.
   double total = 0;
   for (Index i = 0; i < set.triangles.rows(); ++i) {
     const Eigen::Vector3d a = vertex(set.triangles(i, 1)) - vertex(set.triangles(i, 0));
@@ -274,14 +280,15 @@ double measure(const FeasibleForceSet& set) {
   return total;
 }
 
+/// Writes the vertices with their tensions and activations.
 void write_points(const TipStatics& statics, const internal::TipBalance& balance,
                   const std::vector<Point>& points, FeasibleForceSet& set) {
-  // Room for all vertices.
+  // Allocate all vertices.
   const auto k = static_cast<Index>(points.size());
   set.vertices.resize(k, 3);
-  set.tension.resize(k, balance.most.size());
-  set.activation.resize(k, balance.most.size());
-  // Force, tensions and activations of each vertex.
+  set.tension.resize(k, balance.upper.size());
+  set.activation.resize(k, balance.upper.size());
+  // Write force, tensions and activations of each vertex.
   for (Index i = 0; i < k; ++i) {
     const Point& point = points[i];
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
@@ -292,9 +299,10 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
   }
 }
 
+/// Writes the facets of a solid.
 void write_facets(const internal::TipBalance& balance, const Frame& frame, const ConvexHull& hull,
                   FeasibleForceSet& set) {
-  // Outward normals in world axes, and a fan of triangles for each facet.
+  // Write outward normals in world axes, and a fan of triangles for each facet.
   const auto sides = static_cast<Index>(hull.facets.size());
   set.normals.resize(sides, 3);
   for (Index i = 0; i < sides; ++i) {
@@ -302,7 +310,7 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
     set.normals.row(i) =
         balance.U.leftCols(balance.rank) * frame.outward(facet.normal).normalized();
     std::vector<int> ring = facet.ring;
-    // A frame of axes that are left-handed in the world turns every ring round.
+    // Reverse the rings if the frame is left-handed in the world.
     if ((balance.U.leftCols(balance.rank) * frame.axes).determinant() < 0)
       std::reverse(ring.begin(), ring.end());
     add_fan(ring, set);
@@ -310,7 +318,7 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
   set.offsets = (set.normals * set.vertices.transpose()).rowwise().maxCoeff();
 }
 
-/// Returns whether every edge is run through once each way, so that the triangles close a surface.
+/// Returns whether every edge occurs once in each sense, so that the triangles close a surface.
 bool closed(const Eigen::MatrixX3i& triangles) {
   std::set<std::pair<int, int>> open;
   for (Index i = 0; i < triangles.rows(); ++i)
@@ -321,11 +329,11 @@ bool closed(const Eigen::MatrixX3i& triangles) {
   return open.empty();
 }
 
-/// The part of the set that has width in two or three directions.
+/// Writes a set that has width in two or three directions.
 void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
                 SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
                 FeasibleForceSet& set) {
-  // Hull of support points, then of its corners alone.
+  // Compute the hull of support points, then of its corners alone.
   std::vector<Point> points = distinct(frame, support);
   ConvexHull hull = grow(oracle, frame, points, set.excess);
   if (hull.message.empty()) {
@@ -337,13 +345,13 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     set.message = hull.message.empty() ? "a linear program stalled" : hull.message;
     return;
   }
-  // Facets must be certified.
+  // Check that facets are certified.
   if (!(set.excess <= kAcceptedExcess)) {
     set.status = Status::kStalled;
     set.message = "a facet of the hull could not be certified";
     return;
   }
-  // A polygon's corners in order; a solid's facets in triangles.
+  // Write a polygon's corners in order, or a solid's facets as triangles.
   if (set.dimension == 2) sort_ring(frame, points);
   write_points(statics, balance, points, set);
   if (set.dimension == 3) {
@@ -384,7 +392,7 @@ FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   const internal::TipBalance balance = internal::tip_balance(statics);
   FeasibleForceSet set = empty_set(statics, balance);
 
-  // Its affine hull; a set without points or without end shows here.
+  // Find the affine hull; an empty or unbounded set is detected here.
   SupportOracle oracle(balance);
   std::vector<Point> points{oracle.farthest(VectorXd::Zero(balance.rank))};
   Frame frame;
@@ -401,9 +409,9 @@ FeasibleForceSet feasible_force_set(const TipStatics& statics) {
     set.excess = std::max(low.gap, high.gap) / (2 * frame.half(0));
   }
   if (set.dimension >= 2) write_hull(statics, balance, oracle, frame, points, set);
-  // Every answer so far counts: also of those that found a width of nothing.
+  // Combine the status of all linear programs, also of those that found zero width.
   if (set.status == Status::kSolved) set.status = oracle.worst();
-  if (set.status == Status::kSolved) set.volume = measure(set);
+  if (set.status == Status::kSolved) set.volume = set_volume(set);
   return set;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// All forces that a pinned fingertip can make.
+/// Set of all forces that a pinned fingertip can exert.
 
 #include <string>
 
@@ -11,37 +11,39 @@
 
 namespace thenar {
 
-/// The set is conv(vertices) + span(carried).
+/// Feasible force set, conv(vertices) + span(carried).
 struct FeasibleForceSet {
-  Status status;               // kInfeasible: the set is empty; then all below is empty or zero
-  int dimension;               // of conv(vertices): 3, or 2 1 0 if flat, -1 if empty
-  double volume;               // of conv(vertices)                  [N^dimension], 1 for a point
-  Eigen::MatrixX3d vertices;   // corners; of a polygon in order                    [N] (k, 3)
-  Eigen::MatrixX3i triangles;  // rows of vertices, counterclockwise from outside       (l, 3)
-  Eigen::MatrixX3d normals;    // outward, one a facet; empty unless dimension is 3 [1] (s, 3)
-  Eigen::VectorXd offsets;     // normals f <= offsets                              [N] (s)
-  Eigen::MatrixXd tension;     // one way to make each vertex                       [N] (k, m)
-  Eigen::MatrixXd activation;  // tension / F0, 0 where F0 is 0                     [1] (k, m)
-  Eigen::Matrix3Xd carried;    // directions the skeleton carries alone, orthonormal [1] (3, c)
-  double excess;               // by which forces may exceed a facet, part of the extent [1]
-  double imbalance;            // largest of |J' f - R' t - tau_0| at the vertices   [N m]
-  std::string message;         // why there is no set, where the status is kStalled
+  Status status;  // read this first. kInfeasible: the set is empty; all members below are empty or
+                  // zero
+  int dimension;  // dimension of conv(vertices): 3, or 2 1 0 if flat, -1 if empty
+  double volume;  // volume of conv(vertices) [N^dimension], 1 for a point
+  Eigen::MatrixX3d vertices;   // corners; of a polygon in order [N] (k, 3)
+  Eigen::MatrixX3i triangles;  // rows of vertices, counterclockwise from outside (l, 3)
+  Eigen::MatrixX3d normals;    // outward, one per facet; empty unless dimension is 3 [1] (s, 3)
+  Eigen::VectorXd offsets;     // normals f <= offsets [N] (s)
+  Eigen::MatrixXd tension;     // tensions that produce each vertex, not unique [N] (k, m)
+  Eigen::MatrixXd activation;  // tension / F0, 0 where F0 is 0 [1] (k, m)
+  Eigen::Matrix3Xd carried;    // directions that the skeleton carries alone, orthonormal [1] (3, c)
+  double excess;        // amount by which forces may exceed a facet, over the set's extent [1]
+  double imbalance;     // largest of |J' f - R' t - tau_0| at the vertices [N m]
+  std::string message;  // reason, if status is kStalled
 };
 
-/// The feasible force set { f : J' f = R' t + tau_0, 0 <= t <= F0 } of a pinned tip, exactly.
+/// Computes the feasible force set { f : J' f = R' t + tau_0, 0 <= t <= F0 } of a pinned tip,
+/// exactly.
 ///
-/// A straight or planar finger carries some directions without tendons (J' f = 0). The set is a
-/// line or plane along those; `carried` holds them and the vertices describe the part across them.
+/// A straight or planar finger carries some directions without tendons (J' f = 0). The set is then
+/// unbounded along those; `carried` holds them and the vertices describe the part across them.
 /// Facets are certified: the largest force along each normal, by linear programming, exceeds the
-/// facet by less than 1e-9 of the set's extent (1e-6 of a needle's); `excess` says by how much. The
-/// hull is closed, holds all its points, and has the
-/// same volume by x, by y and by z. A set thinner than 1e-9 of its size is flat.
+/// facet by less than 1e-9 of the set's extent (1e-6 for a needle-like set); `excess` is the actual
+/// value. The hull is closed, contains all its points, and has the same volume by integration along
+/// x, y and z. A set thinner than 1e-9 of its size counts as flat.
 ///
-/// @param statics  one posture; W is not looked at. An infinite F0 gives kUnbounded wherever it
-///                 leaves the set without end, and then no vertices.
+/// @param statics  one posture; W is not used. An infinite F0 gives kUnbounded, without vertices,
+/// wherever the set is then unbounded.
 /// @throws InputError if the statics are inconsistent or not finite.
-/// Source: [ValeroCuevas1998] for the set; growing a hull by support points is beneath-beyond
-/// with an oracle [Barber1996]; derivation in docs/theory/feasible_force.md.
+/// Source: [ValeroCuevas1998] for the set; growing a hull by support points is beneath-beyond with
+/// an oracle [Barber1996]; derivation in docs/theory/feasible_force.md.
 [[nodiscard]] FeasibleForceSet feasible_force_set(const TipStatics& statics);
 
 }  // namespace thenar

@@ -13,8 +13,9 @@
 namespace thenar {
 namespace {
 
+/// Reads one nerve block.
 NerveBlock read_block(TomlTable& table) {
-  // Which muscles it weakens, and what was lost.
+  // Read the weakened muscles and the measured loss.
   NerveBlock block;
   block.nerve = table.text("nerve");
   block.left = table.named(Dimension::kNumber, "left", Range::kFraction);
@@ -24,7 +25,7 @@ NerveBlock read_block(TomlTable& table) {
   block.source = table.source();
   block.line = table.line();
 
-  // Only what stands in this table can be assumed.
+  // Check that assumed keys are in this table.
   if (table.has("assumed")) block.assumed = table.texts("assumed");
   for (const std::string& key : block.assumed)
     if (!table.has(key)) table.fail(fmt::format("there is no '{}' to assume", key), "assumed");
@@ -32,9 +33,10 @@ NerveBlock read_block(TomlTable& table) {
   return block;
 }
 
+/// Reads posture and direction of the pinch.
 void read_pinch(TomlTable& table, PinchLosses& losses) {
   losses.posture = {table.text("posture"), table.named(Dimension::kAngle, "angles")};
-  // Directions of the digit that people press along.
+  // Convert the name of the direction to components in the digit.
   const std::map<std::string, Eigen::Vector3d> directions{
       {"palmar", {0, -1, 0}}, {"distal", {-1, 0, 0}}, {"radial", {0, 0, 1}}, {"ulnar", {0, 0, -1}}};
   losses.direction =
@@ -45,11 +47,11 @@ void read_pinch(TomlTable& table, PinchLosses& losses) {
   table.done();
 }
 
-/// A loss to what two certified forces leave of its digits, so that equal losses are equal [1].
+/// Rounds a loss to the accuracy of two certified forces, so that equal losses are equal [1].
 double rounded_loss(double loss) { return std::clamp(std::round(loss * 1e9), 0.0, 1e9) / 1e9; }
 
-/// The largest component of the tip's force along d in a cone; 0 where no force is in balance, NaN
-/// where it is unbounded or was not found [N].
+/// Computes the largest component of the tip's force along d in a cone; 0 where no force is in
+/// balance, NaN where it is unbounded or was not found [N].
 double strength(const TipStatics& statics, const Eigen::Vector3d& d, double tolerance) {
   const MaxTipForce largest = max_tip_load(statics, d, {TipLoad::kForce, tolerance}).largest;
   if (largest.status == Status::kInfeasible) return 0;
@@ -62,7 +64,7 @@ double strength(const TipStatics& statics, const Eigen::Vector3d& d, double tole
   throw DataError(losses.path, line, what);
 }
 
-/// Angles of the pinch, of the digit that it is of [rad] (n).
+/// Returns the posture of the pinch [rad] (n).
 Eigen::VectorXd angles_of_pinch(const TendonDigit& digit, const PinchLosses& losses) {
   const std::string& built = digit.skeleton.tips.front().digit;
   if (losses.digit != built)
@@ -76,7 +78,7 @@ Eigen::VectorXd angles_of_pinch(const TendonDigit& digit, const PinchLosses& los
   }
 }
 
-/// Statics with what a block leaves of the muscles' strength.
+/// Returns the statics with the muscle strengths that remain under a block.
 TipStatics blocked(TipStatics statics, const PinchLosses& losses, const NerveBlock& block,
                    const std::vector<std::string>& muscles) {
   for (const auto& [muscle, left] : block.left) {
@@ -101,11 +103,11 @@ PinchLosses parse_pinch_losses(const std::string& text, const std::string& path)
   losses.digit = top.text("digit");
   losses.path = path;
   losses.line = top.line();
-  // How people pinched.
+  // Read posture and direction of the pinch.
   std::optional<TomlTable> pinch = top.table("pinch");
   if (!pinch) top.fail("wanted [pinch]: posture, direction and tolerance, got none");
   read_pinch(*pinch, losses);
-  // What they lost.
+  // Read the measured losses.
   for (TomlTable& block : top.tables("block")) losses.blocks.push_back(read_block(block));
   if (losses.blocks.empty()) top.fail("wanted at least one [[block]], got none");
   top.done();
@@ -117,7 +119,7 @@ PinchLosses read_pinch_losses(const std::string& path) {
 }
 
 PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses) {
-  // The intact digit in the posture of the pinch.
+  // Compute the force of the intact digit in the posture of the pinch.
   const Eigen::VectorXd q = angles_of_pinch(digit, losses);
   const TipStatics statics = tip_statics(digit, q);
   const Eigen::Vector3d d = tip_axes(digit, q) * losses.direction;
@@ -126,11 +128,11 @@ PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses)
   out.undecided = std::isnan(out.intact) ? 1 : 0;
   out.loss = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(losses.blocks.size()), kNaN);
 
-  // What each block takes of it.
+  // Compute the loss under each block.
   for (std::size_t b = 0; b < losses.blocks.size(); ++b) {
-    const TipStatics left = blocked(statics, losses, losses.blocks[b], digit.names.muscles);
-    if (!(out.intact >= kNoPinch)) continue;
-    const double pinch = strength(left, d, losses.tolerance);
+    const TipStatics weakened = blocked(statics, losses, losses.blocks[b], digit.names.muscles);
+    if (!(out.intact >= kMinPinchForce)) continue;
+    const double pinch = strength(weakened, d, losses.tolerance);
     if (std::isnan(pinch))
       ++out.undecided;
     else

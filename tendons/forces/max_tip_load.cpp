@@ -16,19 +16,20 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kMomentArm = 0.01;  // Lever arm that converts moments to newtons [m]
-constexpr double kStopArm = 0.01;    // Moment arm of the tendon that stands for a stop [m]
+constexpr double kMomentArm = 0.01;  // lever arm that converts moments to newtons [m]
+constexpr double kStopArm = 0.01;    // moment arm of the tendon that models a stop [m]
 
-/// The balance as one of forces alone, for max_tip_force().
+/// Balance as one of forces alone, for max_tip_force().
 struct LoadBalance {
-  TipStatics statics;    // J is that of the load that is asked for, per `unit`
-  double unit;           // one newton of it: 1 N, or kMomentArm [N m]
-  Eigen::Matrix3Xd B;    // Jacobian of the other load (3, n)
-  MatrixXd N;            // torques that are balanced in `statics`, as columns (n, balanced)
-  Eigen::Matrix3Xd way;  // the other load of each pair of further tendons (3, 0 or 3)
+  TipStatics statics;          // J is that of the maximised load, per `unit`
+  double unit;                 // unit of that load: 1 N, or kMomentArm [N m]
+  Eigen::Matrix3Xd B;          // Jacobian of the other load (3, n)
+  MatrixXd N;                  // torques that are balanced in `statics`, as columns (n, balanced)
+  Eigen::Matrix3Xd pair_axes;  // other load of each pair of additional tendons (3, 0 or 3)
 };
 
-/// Torques that no other load makes: an orthonormal basis of the null space of B (n, n - rank).
+/// Computes an orthonormal basis of the torques that no other load produces: the null space of B
+/// (n, n - rank).
 MatrixXd null_space(const Eigen::Matrix3Xd& B) {
   const Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
@@ -36,12 +37,12 @@ MatrixXd null_space(const Eigen::Matrix3Xd& B) {
   return svd.matrixV().rightCols(B.cols() - (sigma(0) > 0 ? rank : 0));
 }
 
-/// The matrix without entries that are rounding of `size`.
+/// Returns the matrix with entries that are rounding of `size` set to zero.
 MatrixXd cleaned(const MatrixXd& matrix, double size) {
   return (matrix.array().abs() > internal::kRankTolerance * size).select(matrix, 0);
 }
 
-/// The balance of torques N alone. Where nothing is left to balance, one joint that feels nothing.
+/// Reduces the balance to the torques N. Where nothing remains, it has one joint without any load.
 void eliminate(const MatrixXd& N, TipStatics& statics) {
   if (N.cols() == 0) {
     statics.J = Eigen::Matrix3Xd::Zero(3, 1);
@@ -54,7 +55,7 @@ void eliminate(const MatrixXd& N, TipStatics& statics) {
   statics.tau_0 = N.transpose() * statics.tau_0;
 }
 
-/// A further tendon for each stop, below those of muscles.
+/// Adds a tendon for each stop, below those of muscles.
 void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
   const Index m = statics.R.rows(), n = statics.R.cols();
   const auto count = static_cast<Index>(stops.size());
@@ -65,21 +66,23 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
     const JointStop& stop = stops[k];
     require(stop.coordinate >= 0 && stop.coordinate < n, "a stop of joint {}, there are {}",
             stop.coordinate, n);
-    require(std::abs(stop.most) > 0, "a stop carries some torque, got {} N m", stop.most);
-    statics.R(m + k, stop.coordinate) = std::copysign(kStopArm, stop.most);
-    statics.max_tension[m + k] = std::abs(stop.most) / kStopArm;
+    require(std::abs(stop.max_torque) > 0, "a stop carries some torque, got {} N m",
+            stop.max_torque);
+    statics.R(m + k, stop.coordinate) = std::copysign(kStopArm, stop.max_torque);
+    statics.max_tension[m + k] = std::abs(stop.max_torque) / kStopArm;
   }
 }
 
-/// Torque of each stop [N m] (stops). @param tension  of its tendon [N] (stops)
+/// Computes the torque of each stop [N m] (stops). @param tension  tension of its tendon [N]
+/// (stops)
 VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tension) {
   VectorXd torque(tension.size());
   for (Index k = 0; k < torque.size(); ++k)
-    torque[k] = std::copysign(kStopArm, stops[k].most) * tension[k];
+    torque[k] = std::copysign(kStopArm, stops[k].max_torque) * tension[k];
   return torque;
 }
 
-/// The passive torque of all joints, stops included [N m] (n).
+/// Computes the passive torque of all joints, stops included [N m] (n).
 VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointStop>& stops,
                             const VectorXd& torque) {
   VectorXd passive = statics.tau_0;
@@ -87,17 +90,18 @@ VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointSt
   return passive;
 }
 
-/// Further tendons that make each component of the other load, both ways, up to `most`.
-void add_pairs(const LoadBalance& balance, double most, TipStatics& statics) {
-  const Index m = statics.R.rows(), pairs = balance.way.cols();
-  const MatrixXd arms = balance.way.transpose() * balance.B;
+/// Adds tendons that produce each component of the other load, in both senses, up to `max_load`.
+void add_pairs(const LoadBalance& balance, double max_load, TipStatics& statics) {
+  const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
+  const MatrixXd arms = balance.pair_axes.transpose() * balance.B;
   statics.R.conservativeResize(m + 2 * pairs, Eigen::NoChange);
   statics.R.middleRows(m, pairs) = -arms;
   statics.R.bottomRows(pairs) = arms;
   statics.max_tension.conservativeResize(m + 2 * pairs);
-  statics.max_tension.tail(2 * pairs).setConstant(most);
+  statics.max_tension.tail(2 * pairs).setConstant(max_load);
 }
 
+/// Builds the balance of the requested load.
 LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& options) {
   const bool moment = options.load == TipLoad::kMoment;
   internal::require_statics(statics);
@@ -116,23 +120,24 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
     balance.N = null_space(balance.B);
     eliminate(balance.N, asked);
   } else if (options.most_other > 0) {
-    balance.way = options.axes;
+    balance.pair_axes = options.axes;
     add_pairs(balance, options.most_other, asked);
   }
   return balance;
 }
 
-/// The other load at a solution [N m] or [N] (3).
+/// Computes the other load at a solution [N m] or [N] (3).
 /// @param passive  torque of all joints without muscles [N m] (n)
-/// @param tension  of muscles, stops and pairs [N]
+/// @param tension  tensions of muscles, stops and pairs [N]
 Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const Vector3d& asked,
                     const VectorXd& passive, const VectorXd& tension) {
-  const Index m = statics.R.rows(), pairs = balance.way.cols();
-  // Pairs of tendons say it.
-  if (pairs > 0) return balance.way * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
-  // It was zero.
+  const Index m = statics.R.rows(), pairs = balance.pair_axes.cols();
+  // Read it from the pairs of tendons.
+  if (pairs > 0)
+    return balance.pair_axes * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
+  // Return zero if it is not part of the balance.
   if (balance.N.cols() == balance.N.rows()) return Vector3d::Zero();
-  // The least that balances what is left over.
+  // Find the smallest load that balances the rest.
   const Eigen::Matrix3Xd A = balance.unit == 1 ? statics.J : statics.W;
   const VectorXd left = statics.R.transpose() * tension.head(m) + passive - A.transpose() * asked;
   Eigen::JacobiSVD<MatrixXd> svd(balance.B.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -140,7 +145,7 @@ Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const
   return svd.solve(left);
 }
 
-/// Prices and their checks in the unit of the load, of muscles alone.
+/// Converts prices and their checks to the unit of the load, and to muscles alone.
 ForceLimitPrices prices_in(double unit, Index muscles, const ForceLimitPrices& prices) {
   ForceLimitPrices result{
       {}, {}, unit * prices.gap, unit * prices.slackness, prices.dual_violation};
@@ -162,7 +167,7 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
                     Vector3d::Zero(), VectorXd::Zero(stops), VectorXd()};
   MaxTipForce& largest = result.largest;
   const VectorXd tension = largest.tension;
-  // From newtons of the common program to the unit of the load, and to muscles alone.
+  // Convert from newtons of the program to the unit of the load, and to muscles alone.
   largest.force *= unit;
   largest.component *= unit;
   largest.tension = tension.head(m);
@@ -178,7 +183,7 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
   largest.prices = prices_in(unit, m, largest.prices);
   if (!solved) return result;
 
-  // Stops, the other load, and the balance from J, W and R themselves.
+  // Compute the stops, the other load, and the imbalance from J, W and R themselves.
   result.stop_torque = stop_torques(options.stops, tension.segment(m, stops));
   const VectorXd passive = passive_with_stops(statics, options.stops, result.stop_torque);
   result.other = other_load(statics, balance, largest.force, passive, tension);
@@ -213,12 +218,12 @@ VectorXd max_tip_load_gradient(const TipStatics& statics,
           "a moment, or a direction that turns with the tip, needs its rotation Jacobian W");
   VectorXd result(slopes.size());
   for (Index k = 0; k < result.size(); ++k) {
-    // Torque that the change leaves to be balanced.
+    // Compute the torque that the change leaves unbalanced.
     const StaticsDerivative& slope = slopes[k];
     VectorXd torque =
         slope.R.transpose() * largest.largest.tension + slope.tau_0 - slope.J.transpose() * f;
     if (has_rotation(statics)) torque -= slope.W.transpose() * m;
-    // Directions that turn with the tip turn the loads.
+    // Rotate the loads if directions turn with the tip.
     if (frame == DirectionFrame::kTip) {
       const Vector3d w = statics.W.col(k);
       torque -= statics.J.transpose() * w.cross(f) + statics.W.transpose() * w.cross(m);

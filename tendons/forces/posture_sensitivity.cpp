@@ -16,33 +16,34 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAngleStep = 1e-3;  // Step of the differences [rad]
+constexpr double kAngleStep = 1e-3;  // step of the finite differences [rad]
 
-/// Least squares, of least norm:  x = B+ tau.
+/// Least-squares solution of minimum norm,  x = B+ tau.
 struct TipLeastSquares {
-  MatrixXd B, inverse;  // B+
-  VectorXd x, left;     // tau - B x
-  Index rank;           // of B
+  MatrixXd B, inverse;   // matrix and its pseudo-inverse B+
+  VectorXd x, residual;  // solution, and residual tau - B x
+  Index rank;            // rank of B
 
   TipLeastSquares(MatrixXd matrix, const VectorXd& tau) : B(std::move(matrix)) {
-    // Pseudo-inverse, solution and residual.
+    // Compute pseudo-inverse, solution and residual.
     Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(internal::kRankTolerance);
     rank = svd.rank();
     inverse = svd.solve(MatrixXd::Identity(B.rows(), B.rows()));
     x = inverse * tau;
-    left = tau - B * x;
+    residual = tau - B * x;
   }
 
-  /// dx where B and tau change and the rank does not.
+  /// Computes dx for changes of B and tau at constant rank.
   [[nodiscard]] VectorXd slope(const MatrixXd& dB, const VectorXd& dtau) const {
     const VectorXd across = dB.transpose() * (inverse.transpose() * x);
-    return inverse * (dtau - dB * x) + inverse * (inverse.transpose() * (dB.transpose() * left)) +
-           across - inverse * (B * across);
+    return inverse * (dtau - dB * x) +
+           inverse * (inverse.transpose() * (dB.transpose() * residual)) + across -
+           inverse * (B * across);
   }
 };
 
-/// Derivative of the joint torques of tensions t.
+/// Computes the derivative of the joint torques of tensions t.
 VectorXd torque_slope(const StaticsDerivative& slope, const VectorXd& t) {
   return slope.R.transpose() * t + slope.tau_0;
 }
@@ -59,7 +60,7 @@ TipStatics tip_statics(const DigitTendons& tendons, const VectorXd& q) {
 std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, const VectorXd& q) {
   std::vector<StaticsDerivative> slopes;
   for (Index k = 0; k < q.size(); ++k) {
-    // Fourth order: two steps each way.
+    // Take differences of fourth order: two steps each way.
     const auto at = [&](double steps) {
       return tip_statics(tendons, q + steps * kAngleStep * VectorXd::Unit(q.size(), k));
     };
@@ -76,11 +77,11 @@ std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, 
 Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
                                     const std::vector<StaticsDerivative>& slopes,
                                     const VectorXd& t) {
-  // Force and residual at this posture.
+  // Solve for force and residual at this posture.
   const TipLeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
   const auto n = static_cast<Index>(slopes.size());
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, n, kInfinity);
-  // Where the rank is less than in other postures the force jumps.
+  // Leave infinity where the rank is below that of a regular posture and the force jumps.
   const bool planar = has_rotation(statics) && plane_normal(statics.J, statics.W).has_value();
   const bool regular = force.rank == (planar ? 2 : 3);
   for (Index k = 0; regular && k < n; ++k) {
@@ -94,7 +95,7 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
                              const std::vector<StaticsDerivative>& slopes, const VectorXd& t,
                              const TipWrenchOptions& options) {
   require(has_rotation(statics), "a held tip needs the rotation Jacobian W of the tip");
-  // Unknowns are moment / length and force.
+  // Scale the unknowns to moment / length and force.
   const auto n = static_cast<Index>(slopes.size());
   const auto joined = [&](const Eigen::Matrix3Xd& W, const Eigen::Matrix3Xd& J) {
     MatrixXd B(J.cols(), 6);
@@ -110,7 +111,7 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
     const StaticsDerivative& slope = slopes[k];
     result.col(k) = wrench.slope(joined(slope.W, slope.J), torque_slope(slope, t));
   }
-  // Back to moments.
+  // Convert back to moments.
   result.topRows<3>() *= options.length;
   return result;
 }

@@ -9,7 +9,7 @@
 namespace thenar::internal {
 
 void require_statics(const TipStatics& statics) {
-  // Shapes.
+  // Check shapes.
   const Eigen::Index n = statics.J.cols(), m = statics.R.rows();
   require(n > 0, "a finger without joints balances nothing");
   require(statics.R.cols() == n, "R has {} joints, J has {}", statics.R.cols(), n);
@@ -18,7 +18,7 @@ void require_statics(const TipStatics& statics) {
   require(statics.tau_0.size() == n, "tau_0 has {} joints, J has {}", statics.tau_0.size(), n);
   require(statics.max_tension.size() == m, "R has {} tendons, max_tension has {}", m,
           statics.max_tension.size());
-  // Numbers.
+  // Check values.
   require(statics.J.allFinite() && statics.W.allFinite() && statics.R.allFinite() &&
               statics.tau_0.allFinite(),
           "J, W, R and tau_0 must be finite");
@@ -38,7 +38,7 @@ TipBalance tip_balance(const TipStatics& statics) {
   require_statics(statics);
   TipBalance balance;
 
-  // The force side, with a straight finger's zeros made exact.
+  // Decompose the force side, with the zeros of a straight finger made exact.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(statics.J, Eigen::ComputeFullU | Eigen::ComputeThinV);
   Eigen::VectorXd sigma = svd.singularValues();
   sigma = (sigma.array() > kRankTolerance * sigma(0)).select(sigma, 0);
@@ -47,16 +47,16 @@ TipBalance tip_balance(const TipStatics& statics) {
   balance.force_part = Eigen::MatrixXd::Zero(statics.J.cols(), 3);
   balance.force_part.leftCols(sigma.size()) = svd.matrixV() * sigma.asDiagonal();
 
-  // The tension side, in parts of the greatest tension.
+  // Scale the tension side by F0.
   const auto& F0 = statics.max_tension;
   const auto usable = F0.array().isFinite() && F0.array() > 0;
   balance.unit = usable.select(F0, 1.0);
-  balance.most = usable.select(Eigen::VectorXd::Ones(F0.size()), F0);
+  balance.upper = usable.select(Eigen::VectorXd::Ones(F0.size()), F0);
   balance.tension_part = -statics.R.transpose() * balance.unit.asDiagonal();
   balance.constant = statics.tau_0;
 
-  // Rows to order one, so that a solver's tolerance means the same at every joint; but a row that
-  // is nothing except rounding stays small.
+  // Scale rows to order one, so that a solver's tolerance has the same meaning at every joint; a
+  // row that is only rounding stays small.
   Eigen::MatrixXd rows(statics.J.cols(), F0.size() + 1);
   rows << balance.tension_part, balance.constant;
   const Eigen::VectorXd largest = rows.cwiseAbs().rowwise().maxCoeff();
@@ -66,7 +66,7 @@ TipBalance tip_balance(const TipStatics& statics) {
   balance.tension_part = balance.row_scale.asDiagonal() * balance.tension_part;
   balance.constant = balance.row_scale.cwiseProduct(balance.constant);
 
-  // Force columns to the size of tendon columns.
+  // Scale force columns to the size of tendon columns.
   const double force_size = balance.force_part.norm(), tension_size = balance.tension_part.norm();
   balance.force_unit = force_size > 0 && tension_size > 0 ? tension_size / force_size : 1;
   balance.force_part *= balance.force_unit;
@@ -74,7 +74,7 @@ TipBalance tip_balance(const TipStatics& statics) {
 }
 
 Eigen::VectorXd tension(const TipBalance& balance, const Eigen::VectorXd& a) {
-  return balance.unit.cwiseProduct(a.cwiseMax(0).cwiseMin(balance.most));
+  return balance.unit.cwiseProduct(a.cwiseMax(0).cwiseMin(balance.upper));
 }
 
 Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) {

@@ -9,7 +9,7 @@
 
 namespace thenar::internal {
 
-/// Unit-vector components below this are rounding, not geometry.
+/// Components of unit vectors below this count as rounding errors [1].
 inline constexpr double kUnitRounding = 1e-14;
 
 /// Throws InputError unless shapes agree, entries are finite and no F0 is negative or NaN.
@@ -21,38 +21,40 @@ void require_tension(Eigen::Index tendons, const Eigen::Ref<const Eigen::VectorX
 /// Balance of a pinned tip in scaled, dimensionless torque rows:
 ///
 ///   force_part phi + tension_part a = constant,   f = force_unit U phi,   t_i = unit_i a_i,
-///   0 <= a_i <= most_i
+///   0 <= a_i <= upper_i
 ///
 /// with J = U S V' and singular values below kRankTolerance set to exactly zero, so that forces
 /// carried by the skeleton alone have columns of exact zeros and not of rounding.
 struct TipBalance {
-  Eigen::Matrix3d U;             // columns: left singular vectors of J              (3, 3)
-  int rank;                      // of J: columns of force_part from here on are 0   [1]
-  double force_unit;             // a force of the size the tendons make             [N]
-  Eigen::VectorXd row_scale;     // what each torque row was multiplied by (n)       [1/(N m)]
-  Eigen::MatrixXd force_part;    // force_unit V S, rows scaled                      (n, 3)
-  Eigen::MatrixXd tension_part;  // -R' diag(unit), rows scaled                      (n, m)
-  Eigen::VectorXd constant;      // tau_0, rows scaled                               (n)
+  Eigen::Matrix3d U;             // columns: left singular vectors of J (3, 3)
+  int rank;                      // rank of J: columns of force_part from here on are 0 [1]
+  double force_unit;             // force of the size that tendons produce [N]
+  Eigen::VectorXd row_scale;     // factor of each torque row (n) [1/(N m)]
+  Eigen::MatrixXd force_part;    // force_unit V S, rows scaled (n, 3)
+  Eigen::MatrixXd tension_part;  // -R' diag(unit), rows scaled (n, m)
+  Eigen::VectorXd constant;      // tau_0, rows scaled (n)
   Eigen::VectorXd unit;          // tension of a = 1: F0, or 1 N if F0 is infinite or 0 (m) [N]
-  Eigen::VectorXd most;          // upper bound of a: 1, infinite, or 0              (m)
+  Eigen::VectorXd upper;         // upper bound of a: 1, infinite, or 0 (m)
 };
 
+/// Builds the scaled balance.
 [[nodiscard]] TipBalance tip_balance(const TipStatics& statics);
 
-/// t of `a`, inside its bounds.  a (m) [1],  result (m) [N]
+/// Computes the tensions t of the scaled activations `a`, clamped to their bounds.  a (m) [1],
+/// result (m) [N]
 [[nodiscard]] Eigen::VectorXd tension(const TipBalance& balance, const Eigen::VectorXd& a);
 
-/// t / F0; zero where F0 is zero or infinite.  (m)
+/// Computes t / F0; zero where F0 is zero or infinite.  (m)
 [[nodiscard]] Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t);
 
-/// Largest joint torque that force and tensions leave: max |J' f - R' t - tau_0|  [N m].
+/// Computes the largest unbalanced joint torque, max |J' f - R' t - tau_0|  [N m].
 [[nodiscard]] double imbalance(const TipStatics& statics, const Eigen::Vector3d& force,
                                const Eigen::VectorXd& tension);
 
-/// `unit_vectors` (columns) with components below kUnitRounding set to zero.  (3, k)
+/// Returns `unit_vectors` (columns) with components below kUnitRounding set to zero.  (3, k)
 [[nodiscard]] Eigen::Matrix3Xd without_rounding(const Eigen::Matrix3Xd& unit_vectors);
 
-/// `direction` at unit length; throws InputError if it is zero or not finite.
+/// Normalises `direction`; throws InputError if it is zero or not finite.
 [[nodiscard]] Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction);
 
 }  // namespace thenar::internal

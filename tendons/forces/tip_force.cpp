@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// J' f = tau in least squares, of least norm where f is not unique.
+/// Solves  J' f = tau  in least squares, with minimum norm where f is not unique.
 /// @param possible  rank of J_W in a regular posture
 TipForce balance(const Eigen::Matrix3Xd& J_W, const Eigen::VectorXd& tau, int possible) {
   const Eigen::MatrixXd Jt = J_W.transpose();

@@ -9,14 +9,14 @@
 namespace thenar {
 namespace {
 
-/// F0 of a muscle; infinite where the subject does not say [N].
+/// Returns F0 of a muscle; infinite where the subject does not state it [N].
 double max_tension(const Subject& subject, const std::string& name) {
   for (const MuscleUnit& muscle : subject.muscles)
     if (muscle.name == name && muscle.max_force) return *muscle.max_force;
   return std::numeric_limits<double>::infinity();
 }
 
-/// Axis of a moment row: "ty" turns about y.
+/// Returns the axis of a moment row: "ty" turns about y.
 Eigen::Vector3d axis_of(const std::string& row) { return Eigen::Vector3d::Unit(row[1] - 'x'); }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The published tip maps of a subject, as statics that any question can be put to.
+/// Published tip maps of a subject as TipStatics.
 
 #include <string>
 
@@ -11,22 +11,24 @@
 
 namespace thenar {
 
-/// One of the subject's maps. @param name  empty: the first map of the digit
-/// @throws InputError naming the maps there are.
+/// Returns one of the subject's maps. @param name  empty: the first map of the digit
+/// @throws InputError listing the available maps.
 [[nodiscard]] const TipMap& find_tip_map(const Subject& subject, const std::string& digit,
                                          const std::string& name = "");
 
-/// Statics of a map; rows in the order Fx, Fy, Fz, then its moments. See statics_from_matrix().
+/// Builds the statics of a map; rows in the order Fx, Fy, Fz, then its moments. See
+/// statics_from_matrix().
 /// @throws InputError if the map lacks a force row.
 [[nodiscard]] TipStatics statics_from_tip_map(const Subject& subject, const TipMap& map);
 
-/// Names of the moment rows, in the order of the columns of W of statics_from_tip_map(): "tx".
+/// Returns the names of the moment rows, in the order of the columns of W of
+/// statics_from_tip_map(): "tx".
 [[nodiscard]] std::vector<std::string> moment_rows(const TipMap& map);
 
-/// The statics of a published tip map  (f; axes' m) = A t.
+/// Builds the statics of a published tip map  (f; axes' m) = A t.
 ///
-/// Its "joints" are the rows of the map: three of force, then k moment components about given
-/// axes. So J' = [1; 0], W' = [0; axes'], R = A', and no passive torque.
+/// Its "joints" are the rows of the map: three of force, then k moment components about given axes.
+/// So J' = [1; 0], W' = [0; axes'], R = A', and no passive torque.
 ///
 /// @param A            force rows [N/N], then moment rows [N m/N]    (3 + k) x m
 /// @param axes         axis of each moment row, world frame          3 x k        [1]

@@ -19,7 +19,7 @@ TipWrench tip_wrench(const TipStatics& statics, const Eigen::Ref<const Eigen::Ve
   require(options.length > 0 && std::isfinite(options.length),
           "the length that weighs moments must be positive, got {} m", options.length);
 
-  // Unknowns (m / length, f), so that both are forces and their norm means something.
+  // Scale the unknowns to (m / length, f): both are forces, so that their norm is meaningful.
   const Eigen::Index n = statics.J.cols();
   Eigen::MatrixXd balance(n, 6);
   balance << options.length * statics.W.transpose(), statics.J.transpose();

@@ -11,13 +11,13 @@
 namespace thenar {
 namespace {
 
-/// Muscle by muscle.
+/// Solver that computes muscle by muscle.
 class TensionsInTurn : public TensionSolver {
  public:
   explicit TensionsInTurn(const Contraction& of) : of_(&of) {}
   void tensions(const MuscleStates& at, MuscleTensions& out) override {
     out.tension.resize(at.length.size());
-    for (int m = 0; m < at.length.size(); ++m) out.tension[m] = of_->tension(m, at.of(m));
+    for (int m = 0; m < at.length.size(); ++m) out.tension[m] = of_->tension(m, at.muscle(m));
   }
   void derivatives(const MuscleStates& at, MuscleTensions& out) override {
     tensions(at, out);
@@ -25,7 +25,7 @@ class TensionsInTurn : public TensionSolver {
          {&out.by_activation, &out.by_length, &out.by_velocity, &out.by_projected_fibre})
       each->resize(at.length.size());
     for (int m = 0; m < at.length.size(); ++m) {
-      const TensionDerivatives by = of_->tension_derivatives(m, at.of(m));
+      const TensionDerivatives by = of_->tension_derivatives(m, at.muscle(m));
       out.by_activation[m] = by.by_activation;
       out.by_length[m] = by.by_length;
       out.by_velocity[m] = by.by_velocity;
@@ -37,6 +37,7 @@ class TensionsInTurn : public TensionSolver {
   const Contraction* of_;
 };
 
+/// Muscle model `bounds`: tension = activation F0.
 class Bounds : public Contraction {
  public:
   using Contraction::Contraction;
@@ -44,7 +45,7 @@ class Bounds : public Contraction {
   [[nodiscard]] bool depends_on_velocity() const override { return false; }
   [[nodiscard]] bool has_fibre_state() const override { return false; }
   [[nodiscard]] double tension(int m, const MuscleState& state) const override {
-    return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may pass below 0
+    return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may go below 0
   }
   [[nodiscard]] TensionDerivatives tension_derivatives(int m,
                                                        const MuscleState& state) const override {
@@ -55,11 +56,12 @@ class Bounds : public Contraction {
   [[nodiscard]] double fibre(int, const MuscleState&) const override { return 0; }
 };
 
+/// Tension law of an elastic tendon beside a constant base tension.
 class TendonLaw : public TensionLaw {
  public:
   TendonLaw(const Musculotendon& muscle, double strain, double base)
       : F0_(muscle.F0), slack_(muscle.slack), strain_(strain), base_(base) {}
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const double l = length / slack_;
     return {base_ * length + F0_ * slack_ * tendon_energy(l, strain_),
             base_ + F0_ * tendon_force(l, strain_),
@@ -70,6 +72,7 @@ class TendonLaw : public TensionLaw {
   double F0_, slack_, strain_, base_;
 };
 
+/// Hill's model with an elastic tendon.
 class ElasticTendon : public Contraction {
  public:
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
@@ -108,6 +111,7 @@ class ElasticTendon : public Contraction {
   HillOptions options_;
 };
 
+/// Hill's model with a rigid tendon.
 class RigidTendon : public Contraction {
  public:
   RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
@@ -133,7 +137,7 @@ class RigidTendon : public Contraction {
     return normalised_fibre_length(muscle(m), state.length - muscle(m).slack);
   }
   [[nodiscard]] std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
-    // Slack length of one optimal fibre length.
+    // Set the slack length to the optimal fibre length.
     std::vector<Musculotendon> short_ones = muscles();
     for (Musculotendon& m : short_ones) m.slack = m.optimal_fibre_length;
     HillOptions options = options_;
@@ -145,13 +149,14 @@ class RigidTendon : public Contraction {
   HillOptions options_;
 };
 
-const MuscleUnit& unit(const Subject& subject, const std::string& name) {
+/// Returns a muscle of the subject. @throws InputError if there is none
+const MuscleUnit& muscle_unit(const Subject& subject, const std::string& name) {
   const MuscleUnit* found = find_named(subject.muscles, name);
   require(found != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
   return *found;
 }
 
-/// "; 'bounds' does without", if a key is first needed by this rung.
+/// Returns "; 'bounds' does without", if a key is first needed by this model.
 std::string lower_rung(Muscle rung) {
   if (rung == Muscle::kBounds) return "";
   return fmt::format("; '{}' does without",
@@ -183,7 +188,7 @@ std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscle
 
 std::string muscle_without_fibre(const Subject& subject, const TendonDigit& digit) {
   for (const std::string& name : digit.names.muscles)
-    if (!(unit(subject, name).fibre_length > 0)) return name;
+    if (!(muscle_unit(subject, name).fibre_length > 0)) return name;
   return "";
 }
 
@@ -191,12 +196,12 @@ std::vector<Musculotendon> musculotendons(const Subject& subject, const TendonDi
                                           Muscle rung) {
   std::vector<Musculotendon> muscles;
   for (const std::string& name : digit.names.muscles) {
-    const MuscleUnit& muscle = unit(subject, name);
+    const MuscleUnit& muscle = muscle_unit(subject, name);
     const auto require_key = [&](bool known, const char* key, Muscle first) {
       require(known, "muscle '{}' of subject '{}' needs '{}' to pull as '{}'{}", name, subject.name,
               key, name_in(kMuscleNames, rung), lower_rung(first));
     };
-    // Each rung needs the keys of the one below.
+    // Require the keys of this model and of those below it.
     require_key(muscle.max_force.has_value(), "max_force_N", Muscle::kBounds);
     if (rung >= Muscle::kRigidTendon)
       require_key(muscle.fibre_length > 0, "fibre_length_mm", Muscle::kRigidTendon);

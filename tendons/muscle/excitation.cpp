@@ -8,7 +8,8 @@
 namespace thenar {
 namespace {
 
-void check(const Excitation& excitation) {
+/// Checks shapes, times and values.
+void check_excitation(const Excitation& excitation) {
   const Eigen::VectorXd& t = excitation.time;
   require(t.size() > 0 && t.size() == excitation.value.rows(), "{} knots of excitation, {} values",
           t.size(), excitation.value.rows());
@@ -22,7 +23,7 @@ void check(const Excitation& excitation) {
 
 }  // namespace
 
-Eigen::VectorXd ExcitationPiece::at(double time) const {
+Eigen::VectorXd ExcitationPiece::value_at(double time) const {
   return first + (last - first) * ((time - begin) / (end - begin));
 }
 
@@ -31,9 +32,9 @@ Excitation constant_excitation(const Eigen::VectorXd& value) {
 }
 
 std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, double seconds) {
-  check(excitation);
+  check_excitation(excitation);
   std::vector<ExcitationPiece> pieces;
-  // A piece of no duration is a jump.
+  // Define how to add a piece; one of zero duration is a jump.
   double begin = 0;
   Eigen::VectorXd first = excitation.value.row(0);
   const auto add = [&](double end, const Eigen::VectorXd& last) {
@@ -44,7 +45,7 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
     }
     first = last;
   };
-  // Knots up to the end; the last piece is cut there.
+  // Add pieces up to the end, where the last one is cut.
   for (Eigen::Index k = 0; k < excitation.time.size() && begin < seconds; ++k) {
     const Eigen::VectorXd value = excitation.value.row(k);
     const double time = excitation.time[k];
@@ -60,19 +61,20 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
 }
 
 Excitation parse_excitation(const std::string& text, const std::string& path,
-                            const std::vector<std::string>& muscles, double most) {
+                            const std::vector<std::string>& muscles, double max_value) {
   const TimeTable table = parse_time_table(text, path, "muscle", &muscles);
   Excitation result{table.time, Eigen::MatrixXd::Zero(table.time.size(),
                                                       static_cast<Eigen::Index>(muscles.size()))};
-  // Columns in the order of the muscles; those without a column stay 0.
+  // Copy the columns in the order of the muscles; those without a column stay 0.
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const auto found = std::find(muscles.begin(), muscles.end(), table.columns[i]);
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(i));
     for (Eigen::Index k = 0; k < column.size(); ++k)
-      if (column[k] < 0 || column[k] > most)
+      if (column[k] < 0 || column[k] > max_value)
         throw DataError(path, table.lines[k],
-                        most == 1 ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
-                                  : fmt::format("wanted a tension >= 0, got {}", column[k]));
+                        max_value == 1
+                            ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
+                            : fmt::format("wanted a tension >= 0, got {}", column[k]));
     result.value.col(found - muscles.begin()) = column;
   }
   return result;

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// A muscle with less tension beyond its base tension is slack [N]
+// Tension above the base tension below which a muscle is slack [N]
 constexpr double kPullingTension = 1e-3;
 
 Index muscles_of(const MotionModel& model) {
@@ -43,7 +43,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
   require(model.base_tension >= 0 && model.base_tension < 1e3,
           "base tension must be >= 0, and little, got {} N", model.base_tension);
   require(model.gravity.allFinite(), "gravity has an entry that is not finite");
-  // Muscles of the contraction are those of the digit, in its order.
+  // Check that the muscles of the contraction are those of the digit, in its order.
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
   const std::vector<Musculotendon>& muscles = model.contraction.muscles();
   require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),
@@ -55,7 +55,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
 
 MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
                                 const VectorXd& activation) {
-  // Shapes and ranges.
+  // Check shapes and ranges.
   const Index joints = damping_.size(), muscles = muscles_;
   require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
           "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
@@ -64,14 +64,14 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   for (Index m = 0; m < muscles; ++m)
     require(activation[m] >= 0 && activation[m] <= 1,
             "wanted activations from 0 to 1, got {} of muscle number {}", activation[m], m + 1);
-  follower_ = tendons().follower();  // of this motion alone
+  follower_ = tendons().follower();
   on_tendons_ = false;
-  // Excursion from the reference posture, along a walk of the net.
+  // Compute the excursion from the reference posture.
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string warning = way.warning.empty() ? "" : "on the way to the start: " + way.warning;
   MotionState state{q, q_dot, activation, way.e, {}, 0, 0};
-  // Fibres in balance with their tendons.
+  // Balance fibres with their tendons.
   if (contraction().has_fibre_state()) {
     VectorXd projected_fibre(muscles);
     for (int m = 0; m < muscles; ++m)
@@ -79,16 +79,16 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
           m, activation[m], muscle_state(state, state.excursion, m).length);
     state.projected_fibre = projected_fibre;
   }
-  // Lengths of lines where excursions are zero.
+  // Store the line lengths at zero excursion, and switch to elastic tendons if possible.
   if (has_net(model_)) {
-    const MotionInstant now = at(state);
+    const MotionInstant now = instant_at(state);
     slack_length_ = tendons().lengths(q, now.tension, now.pull) - state.excursion;
-    rest_on_tendons(state, now);
+    switch_to_tendons(state, now);
   }
   return {state, warning};
 }
 
-void FingerMotion::rest_on_tendons(MotionState& state, const MotionInstant& now) {
+void FingerMotion::switch_to_tendons(MotionState& state, const MotionInstant& now) {
   if (!contraction().has_fibre_state()) return;
   std::vector<std::shared_ptr<const TensionLaw>> laws;
   for (int m = 0; m < muscles_; ++m) laws.push_back(contraction().tendon_law(m, base_tension_));
@@ -127,8 +127,8 @@ VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocit
   });
 }
 
-TendonTorque FingerMotion::pull_at(const VectorXd& q, const VectorXd& t) const {
-  return follower_ ? follower_->at(q, t) : tendons().evaluate(q, t, {});
+TendonTorque FingerMotion::tendon_torque(const VectorXd& q, const VectorXd& t) const {
+  return follower_ ? follower_->torque_at(q, t) : tendons().evaluate(q, t, {});
 }
 
 VectorXd FingerMotion::fibres(const MotionState& state, const VectorXd& excursion) const {
@@ -138,22 +138,22 @@ VectorXd FingerMotion::fibres(const MotionState& state, const VectorXd& excursio
   });
 }
 
-MotionInstant FingerMotion::far_off(MotionInstant now) const {
+MotionInstant FingerMotion::rejected_instant(MotionInstant now) const {
   now.pull.tau = VectorXd::Constant(damping_.size(), HUGE_VAL);
   now.pull.R = Eigen::MatrixXd::Zero(muscles_, damping_.size());
   return now;
 }
 
-MotionInstant FingerMotion::at(const MotionState& state) const {
+MotionInstant FingerMotion::instant_at(const MotionState& state) const {
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
-  // Net and tendons in one rest tell lengths and tensions.
+  // Take lengths and tensions from the common equilibrium of net and elastic tendons.
   if (on_tendons_) {
     const VectorXd ends = tendon_ends(state.projected_fibre);
     now.excursion = now.tension = VectorXd::Constant(muscles_, HUGE_VAL);
     now.fibre = fibres(state, none);
-    if (!ends.allFinite() || !state.q.allFinite()) return far_off(std::move(now));
-    now.pull = follower_->at(state.q, ends);
+    if (!ends.allFinite() || !state.q.allFinite()) return rejected_instant(std::move(now));
+    now.pull = follower_->torque_at(state.q, ends);
     if (!now.pull.tau.allFinite()) return now;
     now.tension = now.pull.tension;
     now.excursion = now.pull.length - slack_length_;
@@ -161,12 +161,13 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   }
   now.excursion = state.excursion;
   now.fibre = fibres(state, now.excursion);
-  // On rigid tendons velocity comes first, from arms without tension.
-  const bool feels = contraction().depends_on_velocity();
-  now.tension = tension(state, feels ? VectorXd(-pull_at(state.q, none).R * state.q_dot) : none);
-  if (!now.tension.allFinite()) return far_off(std::move(now));
-  // Torque and arms at these tensions.
-  now.pull = pull_at(state.q, now.tension);
+  // Compute tensions; with rigid tendons they need velocities from arms without tension.
+  const bool needs_velocity = contraction().depends_on_velocity();
+  now.tension = tension(
+      state, needs_velocity ? VectorXd(-tendon_torque(state.q, none).R * state.q_dot) : none);
+  if (!now.tension.allFinite()) return rejected_instant(std::move(now));
+  // Compute torque and arms at these tensions.
+  now.pull = tendon_torque(state.q, now.tension);
   return now;
 }
 
@@ -177,21 +178,21 @@ VectorXd FingerMotion::excursion_rate(const MotionState& state, const MotionInst
 }
 
 MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
-  // A trial state far off: an infinite rate makes the integrator take a shorter step.
-  const MotionInstant now = at(state);
+  // Reject a trial state without torque: an infinite rate makes the integrator shorten its step.
+  const MotionInstant now = instant_at(state);
   effort_ += now.pull.effort;
   obstacle_.clear();
   if (!now.pull.tau.allFinite() || !now.tension.allFinite()) {
     obstacle_ = now.pull.warning;
     return unpack(VectorXd::Constant(pack(state).size(), HUGE_VAL));
   }
-  // Torque of tendons, resistance and damping.
+  // Sum the torques of tendons, resistance and damping.
   const VectorXd damped = damping_.cwiseProduct(state.q_dot);
   const VectorXd tau =
       now.pull.tau +
       resistance_torque(model_.tendons.digit().skeleton, model_.resistance, state.q) - damped;
   MotionState rate = state;
-  // Bones, activations, fibres, excursions, energies.
+  // Compute the rates of bones, activations, fibres, excursions and energies.
   rate.q = state.q_dot;
   rate.q_dot = multibody_.forward_dynamics({state.q, state.q_dot}, tau, {model_.gravity, {}});
   for (int m = 0; m < excitation.size(); ++m) {
@@ -208,18 +209,18 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
 
 bool FingerMotion::snaps_before(const MotionState& state) const {
   if (!follower_) return false;
-  (void)at(state);
+  (void)instant_at(state);
   return follower_->snapped();
 }
 
 FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
-  const MotionInstant now = at(state);
+  const MotionInstant now = instant_at(state);
   effort_ += now.pull.effort;
   Accepted out;
   out.warning = now.pull.warning;
   if (follower_) out.net = follower_->accept(state.q, load(state, now));
   if (!has_net(model_) || on_tendons_) return out;
-  // Excursions of muscles that pull against the lengths of their lines.
+  // Compare excursions of muscles that pull with the lengths of their lines.
   const VectorXd drift = state.excursion - line_excursion(state, now);
   out.drift = (now.tension.array() <= base_tension_ + kPullingTension).select(0, drift);
   return out;
@@ -270,17 +271,17 @@ VectorXd FingerMotion::scale() const {
                contraction().has_fibre_state() ? length : VectorXd(), 1e-3, 1e-3});
 }
 
-// Slopes of the equations of motion, for the integrator.
+// Jacobian of the equations of motion, for the integrator.
 
 namespace {
 
 using Eigen::MatrixXd;
 
-/// d(R q')/dq at fixed q' and tensions t, by differences of what is itself a slope [m/s/rad]
-/// (muscles, coordinates).
+/// Computes d(R q')/dq at fixed q' and tensions t, by finite differences of R, itself a derivative
+/// [m/s/rad] (muscles, coordinates).
 MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
                          const TendonTorque& here) {
-  constexpr double kDifferenceStep = 1e-5;  // Step of an angle [rad]
+  constexpr double kDifferenceStep = 1e-5;  // step of an angle [rad]
   const VectorXd v = here.R * state.q_dot;
   MatrixXd by_q(t.size(), state.q.size());
   for (Index j = 0; j < state.q.size(); ++j) {
@@ -291,16 +292,17 @@ MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, 
   return by_q;
 }
 
-/// Slopes of the bones' acceleration at fixed torques, by central differences, one column a posture
-/// angle, then one a speed [1/s^2] and [1/s] (coordinates, 2 coordinates).
+/// Computes the derivatives of the bones' acceleration at fixed torques by central differences: one
+/// column per posture angle, then one per speed [1/s^2] and [1/s] (coordinates, 2 coordinates).
 template <typename Acceleration>
 MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones) {
-  constexpr double kDifferenceStep = 1e-5;  // [rad], [rad/s] over the speed and 1
+  constexpr double kDifferenceStep =
+      1e-5;  // step of an angle [rad]; of a speed, over 1 rad/s plus the largest speed
   const Index n = state.q.size();
   const double speed_step = kDifferenceStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
   MatrixXd slopes(n, 2 * n);
   for (Index j = 0; j < n; ++j) {
-    // Central differences by an angle, then by a speed.
+    // Difference by an angle, then by a speed.
     const VectorXd one = VectorXd::Unit(n, j);
     slopes.col(j) = (bones(state.q + kDifferenceStep * one, state.q_dot) -
                      bones(state.q - kDifferenceStep * one, state.q_dot)) /
@@ -314,14 +316,14 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
 
 }  // namespace
 
-/// Slopes of fibres and excursions, into their rows of J, and of the torque of tendons by all
-/// states (coordinates, states). Tensions follow from states.
-MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionInstant& now,
-                                        MatrixXd& J) const {
+/// Fills the rows of fibres and excursions in J, and returns the derivative of the tendon torque by
+/// all states (coordinates, states). Tensions follow from states.
+MatrixXd FingerMotion::state_jacobian(const MotionState& state, const MotionInstant& now,
+                                      MatrixXd& J) const {
   const Index n = state.q.size(), m = muscles_, size = J.rows();
   const Index a = 2 * n, e = a + m, r = e + m;
   const MatrixXd& R = now.pull.R;
-  // Tensions by all states, the way through R q' apart.
+  // Differentiate tensions by all states, except through R q'.
   MatrixXd t_y = MatrixXd::Zero(m, size);
   VectorXd by_velocity(m);
   for (Index i = 0; i < m; ++i) {
@@ -341,8 +343,8 @@ MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionIn
     }
   }
 
-  // Excursions:  -R q',  which tensions may feel; under a net they follow its lines, too, so fast
-  // that the slopes of R do not count.
+  // Differentiate excursions,  -R q',  on which tensions may depend; under a net they follow its
+  // lines, so fast that derivatives of R are negligible.
   J.block(e, n, m, n) = -R;
   if (has_net(model_)) {
     J.middleRows(e, m) -=
@@ -354,15 +356,15 @@ MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionIn
     t_y += by_velocity.asDiagonal() * J.middleRows(e, m);
   }
 
-  // Torques of the tendons.
+  // Differentiate the torques of the tendons.
   MatrixXd tau_y = R.transpose() * t_y;
   tau_y.leftCols(n) += tendons().torque_by_posture(state.q, now.tension, now.pull);
   return tau_y;
 }
 
-/// Computes the slopes where tensions and lengths follow from the ends of tendons.
-MatrixXd FingerMotion::slopes_on_tendons(const MotionState& state, const MotionInstant& now,
-                                         MatrixXd& J) const {
+/// Fills the same rows where tensions and lengths follow from the far ends of tendons.
+MatrixXd FingerMotion::jacobian_on_tendons(const MotionState& state, const MotionInstant& now,
+                                           MatrixXd& J) const {
   const Index n = state.q.size(), m = muscles_, a = 2 * n, r = a + m;
   const EndSlopes slopes = follower_->slopes(state.q, tendon_ends(state.projected_fibre));
   for (Index i = 0; i < m; ++i) {
@@ -384,20 +386,20 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   const Index n = state.q.size(), m = muscles_, size = pack(state).size();
   const Index a = 2 * n;
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
-  // The instant.
-  const MotionInstant now = at(state);
+  // Evaluate the state, and fill the rows of activations, fibres, excursions and energies.
+  const MotionInstant now = instant_at(state);
   effort_ += now.pull.effort;
   if (!now.pull.tau.allFinite()) return MatrixXd::Constant(size, size, HUGE_VAL);
   MatrixXd J = MatrixXd::Zero(size, size);
   for (Index i = 0; i < m; ++i)
     J(a + i, a + i) =
         activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
-  MatrixXd tau_y = on_tendons_ ? slopes_on_tendons(state, now, J) : slopes_of_states(state, now, J);
+  MatrixXd tau_y = on_tendons_ ? jacobian_on_tendons(state, now, J) : state_jacobian(state, now, J);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();
 
-  // Bones, under the torques of tendons, of what holds joints, and of damping.
+  // Fill the rows of bones, under the torques of tendons, joint resistance and damping.
   tau_y.leftCols(n).diagonal() += resistance_derivative(skeleton, model_.resistance, state.q);
   tau_y.middleCols(n, n).diagonal() -= damping_;
   J.block(0, n, n, n).setIdentity();

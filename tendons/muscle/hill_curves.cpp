@@ -8,7 +8,7 @@
 namespace thenar {
 namespace {
 
-/// height exp(-(l - center)^2 / (2 (width + widening l)^2)).
+/// Bell curve  height exp(-(l - center)^2 / (2 (width + widening l)^2)).
 struct Bell {
   double height, center, width, widening;
 };
@@ -17,13 +17,13 @@ struct Bell {
 constexpr Bell kBell1{1, 1.055, 0.162, 0.063};
 constexpr Bell kBell2{0.433, 0.717, -0.030, 0.200};
 constexpr Bell kBell3{0.100, 1.000, 0.354, 0.000};
-// The second bell is 0 up to this length, at which it has no width [1]
-constexpr double kNoSecond = 0.15;
+// Length up to which the second bell is 0; its width vanishes there [1]
+constexpr double kSecondBellStart = 0.15;
 
-// Length near which the passive force overflows doubles; exponentials() are finite there [1]
-constexpr double kSaturationExponent = 100;
+// Length above which the passive force may overflow, while exponentials() stay finite [1]
+constexpr double kOverflowLength = 100;
 
-/// Exponent of a bell, and its derivative by length.
+/// Computes the exponent of a bell, and its derivative by length.
 void set_exponent(double l, const Bell& bell, double& exponent, double& slope) {
   const double inverse = 1 / (bell.width + bell.widening * l), x = (l - bell.center) * inverse;
   exponent = -x * x / 2;
@@ -51,12 +51,12 @@ const double kD4 = 1 - kD1 * std::asinh(kD3);
 }  // namespace
 
 double active_force(double length) {
-  const double second = length > kNoSecond ? value_of(length, kBell2) : 0;
+  const double second = length > kSecondBellStart ? value_of(length, kBell2) : 0;
   return kB11 * value_of(length, kBell1) + second + value_of(length, kBell3);
 }
 
 double active_force_derivative(double length) {
-  const double second = length > kNoSecond ? slope_of(length, kBell2) : 0;
+  const double second = length > kSecondBellStart ? slope_of(length, kBell2) : 0;
   return kB11 * slope_of(length, kBell1) + second + slope_of(length, kBell3);
 }
 
@@ -99,9 +99,9 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
   const Eigen::Index n = length.size();
   for (Eigen::VectorXd* each : {&out.active, &out.active_slope, &out.passive, &out.passive_slope})
     each->resize(n);
-  // Exponents of the three bells and of the passive force, and slopes of the bells' exponents.
-  out.room.resize(7 * n);
-  double* const e1 = out.room.data();
+  // Compute exponents of the three bells and of the passive force, and slopes of the former.
+  out.workspace.resize(7 * n);
+  double* const e1 = out.workspace.data();
   double *const e2 = e1 + n, *const e3 = e2 + n, *const e4 = e3 + n;
   double *const g1 = e4 + n, *const g2 = g1 + n, *const g3 = g2 + n;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -111,17 +111,17 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
     set_exponent(l, kBell3, e3[i], g3[i]);
     e4[i] = kPassiveSteepness * (l - 1);
   }
-  exponentials(out.room.head(4 * n));
-  // The curves, as above.
+  exponentials(out.workspace.head(4 * n));
+  // Evaluate the curves as in the functions above.
   for (Eigen::Index i = 0; i < n; ++i) {
     const double l = length[i];
-    const double b1 = kB11 * e1[i], b2 = l > kNoSecond ? kBell2.height * e2[i] : 0,
+    const double b1 = kB11 * e1[i], b2 = l > kSecondBellStart ? kBell2.height * e2[i] : 0,
                  b3 = kBell3.height * e3[i];
     out.active[i] = b1 + b2 + b3;
-    out.active_slope[i] = g1[i] * b1 + (l > kNoSecond ? g2[i] * b2 : 0) + g3[i] * b3;
+    out.active_slope[i] = g1[i] * b1 + (l > kSecondBellStart ? g2[i] * b2 : 0) + g3[i] * b3;
     out.passive[i] = std::max(0.0, (e4[i] - 1) * kPerPassive);
     out.passive_slope[i] = l < 1 ? 0 : kPassiveSteepness * kPerPassive * e4[i];
-    if (l < kSaturationExponent) continue;
+    if (l < kOverflowLength) continue;
     out.passive[i] = passive_force(l);
     out.passive_slope[i] = passive_force_derivative(l);
   }
@@ -131,7 +131,7 @@ void set_speed_forces(const Eigen::VectorXd& velocity, SpeedForces& out) {
   const Eigen::Index n = velocity.size();
   out.force.resize(n);
   out.slope.resize(n);
-  // asinh(x) = log(|x| + hypot(x, 1)) with the sign of x.
+  // Evaluate asinh(x) = log(|x| + hypot(x, 1)) with the sign of x.
   for (Eigen::Index i = 0; i < n; ++i) {
     const double x = kD2 * velocity[i] + kD3, root = std::sqrt(x * x + 1);
     out.force[i] = kD1 * std::copysign(std::log(std::abs(x) + root), x) + kD4;

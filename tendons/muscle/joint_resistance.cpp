@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Returns the excess of an angle over its limits, negative below the lower one, 0 within [rad].
-double beyond(const CoordinateLimits& limits, double angle) {
+/// Computes the excess of an angle over its limits, negative below the lower one, 0 within [rad].
+double excess_angle(const CoordinateLimits& limits, double angle) {
   return angle - std::clamp(angle, limits.lower, limits.upper);
 }
 
@@ -35,12 +35,12 @@ double limit_energy(const JointResistance& stop, double d) {
 
 double stop_torque(const JointResistance& resistance, const CoordinateLimits& limits,
                    double angle) {
-  return limit_torque(resistance, beyond(limits, angle));
+  return limit_torque(resistance, excess_angle(limits, angle));
 }
 
 double stop_derivative(const JointResistance& resistance, const CoordinateLimits& limits,
                        double angle) {
-  return limit_derivative(resistance, beyond(limits, angle));
+  return limit_derivative(resistance, excess_angle(limits, angle));
 }
 
 VectorXd resistance_torque(const Skeleton& skeleton, const JointResistance& resistance,
@@ -64,7 +64,7 @@ double resistance_energy(const Skeleton& skeleton, const JointResistance& resist
   double energy = 0;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[i];
-    energy += passive_energy(limits, q[i]) + limit_energy(resistance, beyond(limits, q[i]));
+    energy += passive_energy(limits, q[i]) + limit_energy(resistance, excess_angle(limits, q[i]));
   }
   return energy;
 }

@@ -6,27 +6,29 @@
 namespace thenar {
 namespace {
 
-constexpr double kLeastProjection = 0.05,
-                 kFadingProjection = 0.10;  // projected_fibre / optimal [1]
+constexpr double kMinProjection = 0.05,
+                 kFadingProjection = 0.10;  // projected_fibre / optimal length: smallest, and where
+                                            // shortening starts to fade [1]
 
-/// Cosine of the fibre's angle to the tendon.
+/// Computes the cosine of the fibre's angle to the tendon.
 double cosine(const Musculotendon& muscle, double projected_fibre) {
   return projected_fibre /
          std::hypot(projected_fibre, muscle.optimal_fibre_length * std::sin(muscle.pennation));
 }
 
-/// d cosine / d projected_fibre [1/m].
+/// Computes d cosine / d projected_fibre [1/m].
 double cosine_slope(const Musculotendon& muscle, double projected_fibre) {
   const double height = muscle.optimal_fibre_length * std::sin(muscle.pennation);
   const double fibre = std::hypot(projected_fibre, height);
   return height * height / (fibre * fibre * fibre);
 }
 
-/// The v of  strength fv(v) + beta v = force.
+/// Solves  strength fv(v) + beta v = force  for v.
 double balancing_velocity(double strength, double beta, double force) {
-  // At 0 or force / beta the left side is too large, at -1 or force / beta too small.
+  // Bracket the root: the left side is too large at 0 or force / beta, too small at -1 or force /
+  // beta.
   double low = std::min(-1.0, force / beta), high = std::max(0.0, force / beta), v = 0;
-  // Newton's step, or bisection where it leaves the bracket.
+  // Take Newton's step, or bisect where it leaves the bracket.
   for (int i = 0; i < 100 && high - low > 1e-15 * (1 + high - low); ++i) {
     const double excess = strength * force_velocity(v) + beta * v - force;
     (excess > 0 ? high : low) = v;
@@ -49,10 +51,10 @@ double normalised_fibre_length(const Musculotendon& muscle, double projected_fib
 
 double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double velocity) {
-  // The fibre is as long as the tendon leaves it.
+  // Compute the length that the tendon leaves to the fibre.
   const double projected_fibre = length - muscle.slack;
   if (projected_fibre <= 0) return 0;
-  // Angle and speed of the fibre.
+  // Compute angle and speed of the fibre.
   const double l = normalised_fibre_length(muscle, projected_fibre),
                along = cosine(muscle, projected_fibre);
   const double v = velocity * along / (options.max_velocity * muscle.optimal_fibre_length);
@@ -62,9 +64,9 @@ double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& opti
 
 TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle, const HillOptions& options,
                                             double activation, double length, double velocity) {
-  // No derivatives where the tension is cut off.
+  // Return zero where the tension is cut off.
   if (rigid_tendon_tension(muscle, options, activation, length, velocity) <= 0) return {};
-  // The fibre, its angle and its speed, with their derivatives.
+  // Compute the fibre, its angle and its speed, with their derivatives.
   const double projected_fibre = length - muscle.slack;
   const double l = normalised_fibre_length(muscle, projected_fibre),
                along = cosine(muscle, projected_fibre);
@@ -72,7 +74,7 @@ TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle, const H
                top = options.max_velocity * muscle.optimal_fibre_length;
   const double v = velocity * along / top, fl = active_force(l), fv = force_velocity(v);
 
-  // force is F0 f cos;  l grows by cos / optimal a projected_fibre, v by velocity cos' / top
+  // Differentiate F0 f cos:  dl = cos / optimal,  dv = velocity cos' / top  per projected_fibre.
   const double f = activation * fl * fv + passive_force(l) + options.damping * v;
   const double f_l = activation * active_force_derivative(l) * fv + passive_force_derivative(l);
   const double f_v = activation * fl * force_velocity_derivative(v) + options.damping;
@@ -98,28 +100,28 @@ TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
 
 double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double projected_fibre) {
-  // Fibre of at least the shortest length, and the tendon's force on it.
-  const double r = std::max(projected_fibre, kLeastProjection * muscle.optimal_fibre_length);
+  // Compute the fibre, of at least the smallest length, and the tendon's force on it.
+  const double r = std::max(projected_fibre, kMinProjection * muscle.optimal_fibre_length);
   const double l = normalised_fibre_length(muscle, r), along = cosine(muscle, r);
   const double pull =
       tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain);
-  // Velocity that balances fibre and tendon.
+  // Solve for the velocity that balances fibre and tendon.
   const double v = balancing_velocity(activation * active_force(l), options.damping,
                                       pull / along - passive_force(l));
   const double rate = v * options.max_velocity * muscle.optimal_fibre_length / along;
-  // Shortening fades out near the shortest length.
-  const double fade = (projected_fibre / muscle.optimal_fibre_length - kLeastProjection) /
-                      (kFadingProjection - kLeastProjection);
+  // Fade out shortening near the smallest length.
+  const double fade = (projected_fibre / muscle.optimal_fibre_length - kMinProjection) /
+                      (kFadingProjection - kMinProjection);
   return rate < 0 ? rate * std::clamp(fade, 0.0, 1.0) : rate;
 }
 
 FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const HillOptions& options,
                                             double activation, double length,
                                             double projected_fibre) {
-  // Fibre, tendon and velocity, as in projected_fibre_rate().
-  const double shortest = kLeastProjection * muscle.optimal_fibre_length,
+  // Compute fibre, tendon and velocity as in projected_fibre_rate().
+  const double shortest = kMinProjection * muscle.optimal_fibre_length,
                r = std::max(projected_fibre, shortest);
-  const double moves = projected_fibre > shortest ? 1 : 0;  // of r with the projected_fibre
+  const double moves = projected_fibre > shortest ? 1 : 0;  // dr / d projected_fibre
   const double l = normalised_fibre_length(muscle, r), along = cosine(muscle, r);
   const double turn = moves * cosine_slope(muscle, r),
                stretch = moves * along / muscle.optimal_fibre_length;
@@ -129,38 +131,38 @@ FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const H
   const double v =
       balancing_velocity(activation * fl, options.damping, pull / along - passive_force(l));
 
-  // activation fl fv(v) + beta v = pull / along - fp  differentiated
+  // Differentiate  activation fl fv(v) + beta v = pull / along - fp.
   const double fv = force_velocity(v);
-  const double grip = activation * fl * force_velocity_derivative(v) + options.damping;
-  const double v_a = -fl * fv / grip, v_length = stiffness / along / grip;
+  const double resistance = activation * fl * force_velocity_derivative(v) + options.damping;
+  const double v_a = -fl * fv / resistance, v_length = stiffness / along / resistance;
   const double v_reach =
       (-stiffness / along - pull * turn / (along * along) -
        (passive_force_derivative(l) + activation * active_force_derivative(l) * fv) * stretch) /
-      grip;
+      resistance;
 
-  // rate = v top / along, faded where it shortens
+  // Differentiate  rate = v top / along,  faded where it shortens.
   const double top = options.max_velocity * muscle.optimal_fibre_length / along;
-  const double ramp = (projected_fibre / muscle.optimal_fibre_length - kLeastProjection) /
-                      (kFadingProjection - kLeastProjection);
+  const double ramp = (projected_fibre / muscle.optimal_fibre_length - kMinProjection) /
+                      (kFadingProjection - kMinProjection);
   const bool fades = v < 0 && ramp < 1;
   const double fade = v < 0 ? std::clamp(ramp, 0.0, 1.0) : 1;
-  const double thins =
-      fades && ramp > 0 ? 1 / (muscle.optimal_fibre_length * (kFadingProjection - kLeastProjection))
+  const double fade_slope =
+      fades && ramp > 0 ? 1 / (muscle.optimal_fibre_length * (kFadingProjection - kMinProjection))
                         : 0;
   return {fade * top * v_a, fade * top * v_length,
-          fade * top * (v_reach - v * turn / along) + thins * top * v};
+          fade * top * (v_reach - v * turn / along) + fade_slope * top * v};
 }
 
 double isometric_projected_fibre(const Musculotendon& muscle, const HillOptions& options,
                                  double activation, double length) {
-  // Force of the tendon above that of the fibre.
+  // Define the excess of the tendon's force over the fibre's.
   const auto excess = [&](double projected_fibre) {
     const double l = normalised_fibre_length(muscle, projected_fibre);
     return tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain) -
            cosine(muscle, projected_fibre) * (activation * active_force(l) + passive_force(l));
   };
-  // Bracket between the shortest fibre and a slack tendon; then bisection.
-  double low = kLeastProjection * muscle.optimal_fibre_length;
+  // Bracket the root between the shortest fibre and a slack tendon, then bisect.
+  double low = kMinProjection * muscle.optimal_fibre_length;
   double high = length - taut_tendon(options.tendon_strain) * muscle.slack;
   if (high <= low || excess(low) < 0) return low;
   while (high - low > 1e-14 * muscle.optimal_fibre_length) {

@@ -9,7 +9,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// See rigid_tendon_tension() and rigid_tendon_derivatives() for the formulas.
+/// Solver by arrays over all muscles; formulas in rigid_tendon_tension() and
+/// rigid_tendon_derivatives().
 class RigidTensions : public TensionSolver {
  public:
   RigidTensions(const std::vector<Musculotendon>& muscles, const HillOptions& options)
@@ -21,7 +22,7 @@ class RigidTensions : public TensionSolver {
       const Musculotendon& muscle = muscles[m];
       F0_[m] = muscle.F0;
       slack_[m] = muscle.slack;
-      // Muscles whose tension is given may have no fibres.
+      // Allow muscles without fibres, whose tension is given.
       const double optimum = muscle.optimal_fibre_length;
       per_optimum_[m] = optimum > 0 ? 1 / optimum : 0;
       sine_[m] = std::sin(muscle.pennation);
@@ -45,12 +46,12 @@ class RigidTensions : public TensionSolver {
     for (VectorXd* each : {&out.by_activation, &out.by_length, &out.by_velocity}) each->resize(n);
     out.by_projected_fibre.setZero(n);
     for (Index m = 0; m < n; ++m) {
-      // Force over F0, and its derivatives by length and speed of the fibre.
+      // Compute force over F0, and its derivatives by length and speed of the fibre.
       const double a = at.activation[m], fl = by_length_.active[m], fv = by_speed_.force[m];
       const double f = a * fl * fv + by_length_.passive[m] + damping_ * v_[m];
       const double f_l = a * by_length_.active_slope[m] * fv + by_length_.passive_slope[m];
       const double f_v = a * fl * by_speed_.slope[m] + damping_;
-      // None where the tension is cut off.
+      // Set derivatives to zero where the tension is cut off.
       const double F0 = out.tension[m] > 0 ? F0_[m] : 0, along = along_[m];
       const double by_length =
           (f_l * along * per_optimum_[m] + f_v * at.velocity[m] * turn_[m] * per_top_[m]) * along +
@@ -62,12 +63,13 @@ class RigidTensions : public TensionSolver {
   }
 
  private:
-  /// Lengths, angles and speeds of fibres, and the curves there.
+  /// Computes lengths, angles and speeds of fibres, and the curves there; lengths only if they
+  /// changed.
   void set_fibres(const MuscleStates& at) {
     if (length_.size() != at.length.size() || length_ != at.length) {
       length_ = at.length;
       for (Index m = 0; m < length_.size(); ++m) {
-        // fibre / optimum; cosine of its angle, and the derivative of that by projected fibre.
+        // Compute fibre / optimum, the cosine of its angle, and the cosine's derivative.
         const double part = (length_[m] - slack_[m]) * per_optimum_[m], s = sine_[m];
         const double l = std::sqrt(part * part + s * s);
         fibre_[m] = l;
@@ -80,13 +82,14 @@ class RigidTensions : public TensionSolver {
     set_speed_forces(v_, by_speed_);
   }
 
-  double damping_;  // [1]
-  // Of Musculotendon, and the sine of the pennation (muscles).
+  double damping_;  // damper beta [1]
+  // Constants of the muscles, and the sines of their pennation (muscles).
   VectorXd F0_, slack_, sine_;
   VectorXd per_optimum_, per_top_;  // 1 / optimal length [1/m], 1 / largest speed [s/m] (muscles)
-  VectorXd length_;                 // at which the fibres were found [m] (muscles)
-  VectorXd fibre_, along_, turn_;   // [1], [1], [1/m] (muscles)
-  VectorXd v_;                      // over the largest speed [1] (muscles)
+  VectorXd length_;                 // lengths of the cached fibres [m] (muscles)
+  VectorXd fibre_, along_,
+      turn_;    // length over optimum [1], cosine [1] and its slope [1/m] (muscles)
+  VectorXd v_;  // speed over the largest one [1] (muscles)
   LengthForces by_length_;
   SpeedForces by_speed_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tensions of many muscles on rigid tendons at once.
+/// Tensions of many muscles on rigid tendons, computed together.
 
 #include <memory>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace thenar {
 
-/// rigid_tendon_tension() and rigid_tendon_derivatives() of all muscles. What depends on lengths
-/// alone is kept while they stay.
+/// Returns a solver for rigid_tendon_tension() and rigid_tendon_derivatives() of all muscles. It
+/// caches the terms that depend on lengths alone.
 [[nodiscard]] std::unique_ptr<TensionSolver> rigid_tensions(
     const std::vector<Musculotendon>& muscles, const HillOptions& options);
 

@@ -15,26 +15,26 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Drift of an excursion that integration errors do not explain [m]
-constexpr double kStrayExcursion = 1e-4;
-// Tolerance of the second integration, over that of the first [1]
-constexpr double kFinerTolerance = 0.01;
-constexpr int kSnapPieces = 16;  // Pieces into which a step with a snap is divided
-// A motion ends after so many trials in which the net finds no equilibrium
-constexpr int kMostObstacles = 30;
-// Most steps of the second integration, over those of the first [1]
-constexpr double kMoreSteps = 5;
-// Error of a step over the tolerance, where steps make no progress [1]
-constexpr double kLooserError = 100;
-constexpr double kLooseTime = 10 * kStallTime;  // Time for which the larger error is allowed [s]
-constexpr int kMostLoose = 20;                  // Most places in a motion with larger errors
+// Drift of an excursion above which integration errors do not explain it [m]
+constexpr double kMaxDrift = 1e-4;
+// Tolerance of the second integration over that of the first [1]
+constexpr double kFinerToleranceRatio = 0.01;
+constexpr int kSnapPieces = 16;  // number of pieces into which a step with a snap is divided
+// Trials without an equilibrium of the net after which a motion ends
+constexpr int kMaxObstacles = 30;
+// Largest number of steps of the second integration over those of the first [1]
+constexpr double kMaxStepsRatio = 5;
+// Allowed error of a step over the tolerance, where steps make no progress [1]
+constexpr double kLooseErrorRatio = 100;
+constexpr double kLooseTime = 10 * kStallTime;  // time for which the larger error is allowed [s]
+constexpr int kMaxLoosePeriods = 20;            // periods with larger errors in a motion
 
-/// Returns whether excursions came off their lines, though no snap tells why.
+/// Returns whether excursions left their lines without any snap.
 bool has_strayed(const Trajectory& path) {
-  return path.snaps.empty() && !(path.drift.value_or(0) <= kStrayExcursion);
+  return path.snaps.empty() && !(path.drift.value_or(0) <= kMaxDrift);
 }
 
-/// The first snap of a net, and how many there were.
+/// Describes the first snap of a net, and the number of snaps.
 std::string snap_words(const Trajectory& path) {
   const MotionSnap& first = path.snaps.front();
   return fmt::format(
@@ -45,7 +45,7 @@ std::string snap_words(const Trajectory& path) {
       1e3 * released_energy(path));
 }
 
-/// Instants that are kept, in a trajectory with room for all.
+/// Recorder of instants in a trajectory with memory for all.
 class Recorder {
  public:
   Recorder(const MotionModel& model, FingerMotion& motion, const SimulateOptions& options)
@@ -54,34 +54,36 @@ class Recorder {
         sample_(options.sample),
         seconds_(options.seconds),
         tolerance_(options.tolerance),
-        room_(static_cast<Index>(std::floor(options.seconds / options.sample * (1 + 1e-12))) + 1) {
-    // Names and fidelity.
+        capacity_(static_cast<Index>(std::floor(options.seconds / options.sample * (1 + 1e-12))) +
+                  1) {
+    // Set names and fidelity.
     const TendonDigit& digit = model.tendons.digit();
     kept_.joints = digit.names.coordinates;
     kept_.muscles = digit.names.muscles;
     kept_.fidelity = digit.fidelity | Fidelity(Motion::kDynamic, model.contraction.rung());
-    // Room for all instants.
+    // Allocate all instants.
     const auto joints = static_cast<Index>(kept_.joints.size());
     const auto muscles = static_cast<Index>(kept_.muscles.size());
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
-      v->resize(room_);
-    for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed}) m->resize(room_, joints);
+      v->resize(capacity_);
+    for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed}) m->resize(capacity_, joints);
     for (Eigen::MatrixXd* m :
          {&kept_.excitation, &kept_.activation, &kept_.tension, &kept_.excursion, &kept_.fibre})
-      m->resize(room_, muscles);
-    kept_.slips.resize(room_, 4);
-    kept_.tip.resize(room_, 3);
+      m->resize(capacity_, muscles);
+    kept_.slips.resize(capacity_, 4);
+    kept_.tip.resize(capacity_, 3);
   }
 
-  /// Time of the next instant to keep [s]; infinite if there is none.
+  /// Returns the time of the next instant to keep [s]; infinite if there is none.
   [[nodiscard]] double next() const {
-    return next_ < room_ ? std::min(static_cast<double>(next_) * sample_, seconds_) : HUGE_VAL;
+    return next_ < capacity_ ? std::min(static_cast<double>(next_) * sample_, seconds_) : HUGE_VAL;
   }
 
-  void keep(const MotionState& state, const VectorXd& excitation) {
-    const MotionInstant now = motion_.at(state);
+  /// Records an instant.
+  void record(const MotionState& state, const VectorXd& excitation) {
+    const MotionInstant now = motion_.instant_at(state);
     const Index i = next_;
-    // States and tensions.
+    // Record states and tensions.
     kept_.time[i] = next();
     kept_.angle.row(i) = state.q;
     kept_.speed.row(i) = state.q_dot;
@@ -90,65 +92,67 @@ class Recorder {
     kept_.tension.row(i) = now.tension;
     kept_.excursion.row(i) = now.excursion;
     kept_.fibre.row(i) = now.fibre;
-    // Slips of the hood, and the tip.
+    // Record slips of the hood, and the tip.
     const SlipTension& slips = now.pull.slips;
     kept_.slips.row(i) << slips.central, slips.radial, slips.ulnar, slips.terminal;
     const TendonModel<double>& bones = model_.tendons.digit().model;
     kept_.tip.row(i) = moved(pose_tree(bones.tree, state.q), bones.tip_link, bones.tip);
-    // Energies.
+    // Record energies.
     kept_.energy[i] = motion_.energy(state);
     kept_.work[i] = state.work;
     kept_.dissipated[i] = state.dissipated;
-    note(now.pull.warning, next());
+    add_warning(now.pull.warning, next());
     ++next_;
   }
 
-  /// Keeps the first warning, with its time.
-  void note(const std::string& warning, double time) {
+  /// Stores the first warning, with its time.
+  void add_warning(const std::string& warning, double time) {
     if (warning.empty() || !kept_.warning.empty()) return;
     kept_.warning = fmt::format("{} (at {:.4g} s)", warning, time);
   }
 
-  void note_accepted(const FingerMotion::Accepted& accepted, double time) {
-    note(accepted.warning, time);
+  /// Records snaps, drift and warning of an accepted state.
+  void record_accepted(const FingerMotion::Accepted& accepted, double time) {
+    add_warning(accepted.warning, time);
     for (const NetSnap& snap : accepted.net.snaps)
       kept_.snaps.push_back(
           {reached_ + snap.share * (time - reached_), snap.band, snap.moved, snap.released});
     reached_ = time;
     if (accepted.drift.size() == 0) return;
-    // Muscle of the largest drift.
+    // Update the largest drift and its muscle.
     Index most = 0;
     const double drift = accepted.drift.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
     const double before = kept_.drift.value_or(0);
     if (kept_.drift && (drift <= before || std::isnan(before))) return;
-    // First instant at which the drift is too large.
-    if (before <= kStrayExcursion) strayed_ = time;
+    // Store the first time at which the drift is too large.
+    if (before <= kMaxDrift) drift_time_ = time;
     kept_.drift = drift;
-    strays_ = kept_.muscles[most];
+    drift_muscle_ = kept_.muscles[most];
   }
 
-  /// Puts the reason of the end before all other warnings.
-  void note_end(const std::string& why, double time) {
+  /// Puts a reason before all other warnings.
+  void prepend_warning(const std::string& why, double time) {
     if (why.empty()) return;
     const std::string before = std::exchange(kept_.warning, "");
-    note(why, time);
+    add_warning(why, time);
     if (!before.empty()) kept_.warning += "; " + before;
   }
 
+  /// Finishes the trajectory and returns it.
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
     if (has_strayed(kept_))
-      note_end(fmt::format("the excursion of '{}' came off its line by up to {:.2g} mm", strays_,
-                           1e3 * *kept_.drift),
-               strayed_);
-    // Snaps of the net are part of the ending's story.
-    if (!kept_.snaps.empty()) note_end(snap_words(kept_), kept_.snaps.front().time);
-    note_end(why, ode.time());
+      prepend_warning(fmt::format("the excursion of '{}' came off its line by up to {:.2g} mm",
+                                  drift_muscle_, 1e3 * *kept_.drift),
+                      drift_time_);
+    // Prepend drift, snaps and the reason for the end to the warning.
+    if (!kept_.snaps.empty()) prepend_warning(snap_words(kept_), kept_.snaps.front().time);
+    prepend_warning(why, ode.time());
     kept_.status = status;
     kept_.balance = balance;
     kept_.tolerance = tolerance_;
     kept_.counts = ode.counts();
-    // Cut to the instants that were reached.
+    // Cut the arrays to the recorded instants.
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
       v->conservativeResize(next_);
     for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed, &kept_.excitation, &kept_.activation,
@@ -165,10 +169,10 @@ class Recorder {
   const MotionModel& model_;
   FingerMotion& motion_;
   double sample_, seconds_, tolerance_;
-  Index room_, next_ = 0;
-  double strayed_ = 0;  // when the drift first was beyond kStrayExcursion [s]
-  double reached_ = 0;  // time of the last state [s]
-  std::string strays_;  // muscle of the largest drift
+  Index capacity_, next_ = 0;
+  double drift_time_ = 0;     // first time with a drift above kMaxDrift [s]
+  double reached_ = 0;        // time of the last accepted state [s]
+  std::string drift_muscle_;  // muscle of the largest drift
   Trajectory kept_;
 };
 
@@ -187,26 +191,27 @@ constexpr std::array kOdeReasons{
     EnumName{OdeStatus::kImpossible, "the tolerance is below rounding"},
     EnumName{OdeStatus::kFailed, "the integrator failed"}};
 
-/// Says why the integrator ended, with the obstacle of the last trial.
+/// Describes why the integrator ended, with the obstacle of the last trial.
 std::string reason(OdeStatus status, const FingerMotion& motion) {
   const std::string& obstacle = motion.obstacle();
   return name_in(kOdeReasons, status) + (obstacle.empty() ? "" : ": " + obstacle);
 }
 
-/// Balance of energy, summed from step to step.
-class Account {
+/// Energy balance, summed over steps.
+class EnergyAccount {
  public:
-  Account(FingerMotion& motion, const MotionState& first)
+  EnergyAccount(FingerMotion& motion, const MotionState& first)
       : motion_(motion), begin_(motion.energy(first)), work_(first.work) {
     add(first, {});
   }
 
+  /// Adds an accepted state.
   void add(const MotionState& state, const NetStep& net) {
-    // What bones, and a net, have gained of nothing.
-    of_net_ += net.unexplained;
-    const double made = motion_.energy(state) - begin_ - state.work + state.dissipated;
-    error_ = max_or_nan({error_, std::abs(made), std::abs(of_net_)});
-    // Kinetic energy, and the work turned over.
+    // Update the energy error of the bones and of the net.
+    net_error_ += net.unexplained;
+    const double excess = motion_.energy(state) - begin_ - state.work + state.dissipated;
+    error_ = max_or_nan({error_, std::abs(excess), std::abs(net_error_)});
+    // Update the largest kinetic energy and the total work.
     kinetic_ = max_or_nan(kinetic_, motion_.kinetic_energy(state));
     turned_ += std::abs(state.work - work_);
     work_ = state.work;
@@ -217,17 +222,17 @@ class Account {
 
  private:
   FingerMotion& motion_;
-  double begin_, work_, of_net_ = 0, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
+  double begin_, work_, net_error_ = 0, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
 };
 
-/// Watches whether the last steps have advanced the motion.
-class Patience {
+/// Monitor of the progress of the last steps.
+class ProgressMonitor {
  public:
-  explicit Patience(int steps) : steps_(steps) {}
+  explicit ProgressMonitor(int steps) : steps_(steps) {}
 
-  /// @return false: give up
-  bool go_on(double time) {
-    // Judge progress once in every `steps_` steps.
+  /// Counts a step. @return false: the motion has stalled
+  bool advances(double time) {
+    // Check progress once in every `steps_` steps.
     if (++count_ < steps_) return true;
     const bool far = time - since_ >= kStallTime;
     since_ = time;
@@ -240,7 +245,8 @@ class Patience {
   double since_ = 0;
 };
 
-void check(const SimulateOptions& options) {
+/// Checks the options.
+void check_options(const SimulateOptions& options) {
   require(options.seconds > 0 && options.sample > 0 && options.tolerance > 0 &&
               std::isfinite(options.seconds),
           "time, sample and tolerance must be positive, got {} s, {} s, {}", options.seconds,
@@ -257,14 +263,14 @@ MotionStatus end_of(OdeStatus status) {
   return status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed;
 }
 
-/// Activations of the first excitation, and no speed, if none are given.
+/// Starts a motion, with the first excitation as activation and zero speed where none are given.
 MotionOnset onset(FingerMotion& motion, const MotionStart& start, const VectorXd& excitation) {
   const VectorXd still = VectorXd::Zero(start.q.size());
   return motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
                       start.activation.size() > 0 ? start.activation : excitation);
 }
 
-/// One integration, piece by piece of the excitation.
+/// Integration of a motion, piece by piece of the excitation.
 class Integration {
  public:
   Integration(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
@@ -283,10 +289,11 @@ class Integration {
              {options.tolerance, options.tolerance * motion_.scale(), options.max_steps,
               [this](double time, const VectorXd& y) { return jacobian(time, y); }}) {}
 
+  /// Integrates to the end.
   Trajectory run() {
-    recorder_.note(first_.warning, 0);
-    recorder_.note_accepted(begun_, 0);
-    recorder_.keep(first_.state, piece_->first);
+    recorder_.add_warning(first_.warning, 0);
+    recorder_.record_accepted(begun_, 0);
+    recorder_.record(first_.state, piece_->first);
     Ending end{MotionStatus::kCompleted, ""};
     try {
       for (const ExcitationPiece& next : pieces_) {
@@ -297,15 +304,16 @@ class Integration {
     } catch (const Ending& early) {
       end = early;
     }
-    tell_loose();
+    warn_loose();
     Trajectory path = recorder_.take(end.status, end.message, ode_, account_.balance());
     path.effort = motion_.effort();
     return path;
   }
 
  private:
-  /// Ends the motion from within a step, too.
-  void look() const {
+  /// Ends the motion, also from within a step, if it is stopped or its net takes too many
+  /// evaluations.
+  void check_limits() const {
     if (options_.progress.stop()) throw Ending{MotionStatus::kStopped, ""};
     if (motion_.effort() > allowed_effort(options_))
       throw Ending{MotionStatus::kLimit,
@@ -314,40 +322,43 @@ class Integration {
   }
 
   VectorXd slope(double time, const VectorXd& y) {
-    look();
-    const VectorXd rates = motion_.pack(motion_.slope(motion_.unpack(y), piece_->at(time)));
+    check_limits();
+    const VectorXd rates = motion_.pack(motion_.slope(motion_.unpack(y), piece_->value_at(time)));
     if (!motion_.obstacle().empty()) count_obstacle();
     return rates;
   }
 
-  /// Ends the motion where trial after trial, however close, finds no rest of the net.
+  /// Ends the motion after too many trials without an equilibrium of the net, however short the
+  /// step.
   void count_obstacle() {
     if (ode_.time() - obstacle_since_ >= kStallTime) {
       obstacle_since_ = ode_.time();
       obstacles_ = 0;
     }
-    if (++obstacles_ >= kMostObstacles)
+    if (++obstacles_ >= kMaxObstacles)
       throw Ending{MotionStatus::kIntegratorFailed,
                    motion_.obstacle() + ", however short the step"};
   }
 
   Eigen::MatrixXd jacobian(double time, const VectorXd& y) {
-    look();
-    return motion_.jacobian(motion_.unpack(y), piece_->at(time));
+    check_limits();
+    return motion_.jacobian(motion_.unpack(y), piece_->value_at(time));
   }
 
+  /// Takes one step, and records the instants within it.
   void step() {
     const OdeStatus status = ode_.step(piece_->end);
-    // Where no step is short enough it starts anew, with what it knows of here alone.
-    if (status == OdeStatus::kTooStiff && ode_.time() > renewed_) {
-      renewed_ = ode_.time();
+    // Restart once where no step is short enough, without the history of earlier steps.
+    if (status == OdeStatus::kTooStiff && ode_.time() > restart_time_) {
+      restart_time_ = ode_.time();
       return restart();
     }
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
-    // Instants to keep lie within the last step.
+    // Record instants within the last step.
     for (; recorder_.next() <= ode_.time();)
-      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())), piece_->at(recorder_.next()));
-    // A net that snaps is followed through the step in pieces, which tell when.
+      recorder_.record(motion_.unpack(ode_.state_at(recorder_.next())),
+                       piece_->value_at(recorder_.next()));
+    // Follow a net that snaps through the step in pieces, to find the time.
     const MotionState now = motion_.unpack(ode_.state());
     if (motion_.snaps_before(now))
       for (int i = 1; i < kSnapPieces; ++i) {
@@ -355,50 +366,50 @@ class Integration {
         accept(motion_.unpack(ode_.state_at(time)), time);
       }
     accept(now, ode_.time());
-    // Progress, stopping and stalling.
+    // Report progress, and check limits and stalling.
     options_.progress(ode_.time() / options_.seconds, "simulating");
-    look();
-    get_on();
+    check_limits();
+    handle_stall();
   }
 
-  /// Starts the integrator anew, with the errors that are allowed here.
-  void restart() { ode_.restart(loose_ ? kLooserError : 1); }
+  /// Restarts the integrator, with the presently allowed errors.
+  void restart() { ode_.restart(loose_ ? kLooseErrorRatio : 1); }
 
-  /// Allows larger errors for a while where rates jump so that steps within the tolerance make no
-  /// progress, as where bands of a net lift off by the dozen. The balance of energy counts these
-  /// errors.
-  void get_on() {
-    // The end of such a place.
+  /// Allows larger errors for a while where rates jump, so that steps within the tolerance make no
+  /// progress, for example where many bands of a net become slack. The energy balance includes
+  /// these errors.
+  void handle_stall() {
+    // End a period of larger errors.
     if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {
       loose_ = false;
       restart();
     }
-    if (stall_steps_.go_on(ode_.time())) return;
-    // One more, if there may be.
-    if (loose_ || loose_places_ == kMostLoose)
+    if (stall_steps_.advances(ode_.time())) return;
+    // Start another period, or end the motion.
+    if (loose_ || loose_periods_ == kMaxLoosePeriods)
       throw Ending{MotionStatus::kNoProgress,
                    fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
                                options_.stall_steps, kStallTime)};
     loose_ = true;
     loose_since_ = ode_.time();
-    ++loose_places_;
+    ++loose_periods_;
     restart();
   }
 
-  /// Adds a warning about the times at which steps had larger errors.
-  void tell_loose() {
-    if (loose_places_ == 0) return;
-    recorder_.note_end(
+  /// Adds a warning about periods with larger errors.
+  void warn_loose() {
+    if (loose_periods_ == 0) return;
+    recorder_.prepend_warning(
         fmt::format("its rates jump: in {} stretch{} of {:.2g} s steps had {} times the error of "
                     "the tolerance, the last",
-                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooserError),
+                    loose_periods_, loose_periods_ == 1 ? "" : "es", kLooseTime, kLooseErrorRatio),
         loose_since_);
   }
 
-  /// Accepts a state, and accounts for its energy.
+  /// Accepts a state, and adds it to the energy balance.
   void accept(const MotionState& state, double time) {
     const FingerMotion::Accepted accepted = motion_.accept(state);
-    recorder_.note_accepted(accepted, time);
+    recorder_.record_accepted(accepted, time);
     account_.add(state, accepted.net);
     accepted_ = time;
   }
@@ -410,15 +421,15 @@ class Integration {
   MotionOnset first_;
   FingerMotion::Accepted begun_;
   Recorder recorder_;
-  Account account_;
-  Patience stall_steps_;
-  int obstacles_ = 0;          // trials without rest of the net ...
+  EnergyAccount account_;
+  ProgressMonitor stall_steps_;
+  int obstacles_ = 0;          // trials without an equilibrium of the net ...
   double obstacle_since_ = 0;  // ... since this time [s]
-  double accepted_ = 0;        // time of the last state [s]
-  double renewed_ = -1;        // time at which the integrator was last started anew [s]
-  bool loose_ = false;         // steps have kLooserError times the error ...
+  double accepted_ = 0;        // time of the last accepted state [s]
+  double restart_time_ = -1;   // time of the last restart of the integrator [s]
+  bool loose_ = false;         // true: steps may have kLooseErrorRatio times the error ...
   double loose_since_ = 0;     // ... since this time [s]
-  int loose_places_ = 0;       // how often that was [1]
+  int loose_periods_ = 0;      // number of such periods [1]
   StiffOde ode_;
 };
 
@@ -426,27 +437,27 @@ class Integration {
 
 Trajectory simulate(const MotionModel& model, const Excitation& excitation,
                     const MotionStart& start, const SimulateOptions& options) {
-  check(options);
+  check_options(options);
   const auto muscles = static_cast<Index>(model.tendons.digit().names.muscles.size());
   require(excitation.value.cols() == muscles, "the digit has {} muscles, {} are excited", muscles,
           excitation.value.cols());
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
 
-  // First integration.
+  // Integrate to the tolerance.
   Trajectory path = Integration(model, pieces, start, options).run();
   const bool balanced = path.balance.holds();
   if (path.status != MotionStatus::kCompleted || (balanced && !has_strayed(path))) return path;
-  // Energy does not balance, or excursions strayed: once more with a smaller tolerance.
+  // Integrate again with a smaller tolerance if energy does not balance or excursions drifted.
   SimulateOptions finer = options;
-  finer.tolerance *= kFinerTolerance;
+  finer.tolerance *= kFinerToleranceRatio;
   finer.max_effort = std::max(1L, allowed_effort(options) - path.effort);
-  // Smaller steps do not help where excursions stray by themselves.
+  // Limit the steps if only excursions drifted, where smaller steps may not help.
   if (balanced)
-    finer.max_steps = static_cast<int>(
-        std::min<double>(options.max_steps, kMoreSteps * static_cast<double>(path.counts.steps)));
+    finer.max_steps = static_cast<int>(std::min<double>(
+        options.max_steps, kMaxStepsRatio * static_cast<double>(path.counts.steps)));
   Trajectory again = Integration(model, pieces, start, finer).run();
   if (again.status == MotionStatus::kStopped) return again;
-  // Keep the better one.
+  // Return the better one.
   const bool better = again.status == MotionStatus::kCompleted && again.balance.holds() &&
                       (!balanced || !(again.drift.value_or(0) >= path.drift.value_or(0)));
   if (better) path = std::move(again);
@@ -456,7 +467,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 
 long allowed_effort(const SimulateOptions& options) {
   if (options.max_effort > 0) return options.max_effort;
-  return kLeastEffort + std::lround(kEffortPerSecond * options.seconds);
+  return kMinEffort + std::lround(kEffortPerSecond * options.seconds);
 }
 
 }  // namespace thenar

@@ -1,23 +1,23 @@
 #pragma once
 
-/// Tables of trajectories, for files.
+/// Trajectories as tables, for files.
 
 #include "tendons/muscle/trajectory.h"
 
 namespace thenar {
 
-/// Columns with their units in their names, one row an instant.
+/// Table with one row per instant; column names contain units.
 struct TrajectoryTable {
   std::vector<std::string> columns;
   Eigen::MatrixXd values;  // (instants, columns)
 };
 
-/// time_s; angle_J_deg and speed_J_deg_s of every joint J; excitation_M, activation_M, tension_M_N,
-/// excursion_M_mm and, with fibres, fibre_M of every muscle M; slip_.._N; tip_x_mm ..; energy_J,
-/// work_J, lost_J.
+/// Builds the table of a trajectory: time_s; angle_J_deg and speed_J_deg_s of every joint J;
+/// excitation_M, activation_M, tension_M_N, excursion_M_mm and, with fibres, fibre_M of every
+/// muscle M; slip_.._N; tip_x_mm ..; energy_J, work_J, lost_J.
 [[nodiscard]] TrajectoryTable trajectory_table(const Trajectory& trajectory);
 
-/// The table as comma-separated text with nine significant digits.
+/// Writes a table as comma-separated text with nine significant digits.
 [[nodiscard]] std::string as_csv(const TrajectoryTable& table);
 
 }  // namespace thenar

@@ -10,17 +10,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kCourseSteps = 12;  // Pieces of a band's run on the bone
+constexpr int kCourseSteps = 12;  // number of pieces of a band's arc on the bone
 
-/// Angle about z from `side` to p, in (-pi, pi].
+/// Computes the angle about z from `side` to p, in (-pi, pi].
 double angle_from(const Vector3d& side, const Vector3d& p) {
   return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
 }
 
-/// A point of the run on the bone from touch to touch, in the surface's frame: a helix by way of
+/// Computes a point of the arc between the touch points, in the surface's frame: on a helix over
 /// `side`, or a great circle. @param part  0..1
-Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const WrappedString& chord,
-                 double part) {
+Vector3d arc_point(const BoneSurface& surface, const Vector3d& side, const WrappedString& chord,
+                   double part) {
   const Vector3d &a = chord.touch_a, &b = chord.touch_b;
   if (surface.shape == SurfaceShape::kCylinder) {
     const double from = angle_from(side, a), to = angle_from(side, b);
@@ -32,28 +32,24 @@ Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const Wrapped
 
 }  // namespace
 
-Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state) {
-  return surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
-}
-
 BandCourse band_course(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest,
                        int band) {
-  // A straight band.
+  // Return the ends of a straight band.
   require(band >= 0 && band < static_cast<int>(net.bands.size()), "net '{}' has no band {}",
           net.name, band);
   const NetBand& wanted = net.bands[band];
   const Vector3d a = rest.x.col(wanted.a), b = rest.x.col(wanted.b);
   if (wanted.over < 0) return {false, {a, b}};
-  // String over the bone; it may miss it.
+  // Wrap the string over the bone, which it may miss.
   const BoneSurface& surface = net.surfaces[wanted.over];
   const Pose<double> X_WS = surface_pose(surface, state), X_SW = X_WS.inverse();
   const WrappedString chord = wrap_string(surface, X_SW * a, X_SW * b, wanted.side);
   if (!chord.bent) return {false, {a, b}};
-  // Points along the arc.
+  // Sample points along the arc.
   BandCourse course{true, {a}};
   for (int k = 0; k <= kCourseSteps; ++k)
     course.points.push_back(
-        X_WS * on_bone(surface, wanted.side, chord, static_cast<double>(k) / kCourseSteps));
+        X_WS * arc_point(surface, wanted.side, chord, static_cast<double>(k) / kCourseSteps));
   course.points.push_back(b);
   return course;
 }

@@ -8,19 +8,17 @@
 
 namespace thenar {
 
-inline constexpr double kTaut = 1e-6;  // Bands with less tension are called slack [N]
+inline constexpr double kTautTension = 1e-6;  // Bands with less tension are called slack [N]
 
-/// A band at equilibrium.
+/// Course of a band in equilibrium.
 struct BandCourse {
-  bool bent;                            // lies on the bone that it bends over
-  std::vector<Eigen::Vector3d> points;  // from end to end; along the bone in small steps [m]
+  bool bent;                            // true: it lies on the bone that it bends over
+  std::vector<Eigen::Vector3d> points;  // points from end to end; along the bone in small steps [m]
 };
 
-/// @param state  links, of the posture at which the net rests
+/// Computes the course of a band.
+/// @param state  pose of the links at the posture of the equilibrium
 [[nodiscard]] BandCourse band_course(const Net& net, const TreeState<double>& state,
                                      const NetEquilibrium& rest, int band);
-
-/// Frame of a surface now, X_WS.
-[[nodiscard]] Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state);
 
 }  // namespace thenar

@@ -3,12 +3,12 @@
 namespace thenar {
 namespace {
 
-/// T(p), dT/dp and the integral of T over e, up to a constant, all over EA.
+/// Values of T(p), dT/dp and the integral of T over e, up to a constant, all over EA.
 struct Law {
   double tension, slope, energy;
 };
 
-/// @param q  (blend / 2)^2, so that de = (1 + q / p^2) dp
+/// Evaluates the law. @param q  (blend / 2)^2, so that de = (1 + q / p^2) dp
 Law law(double p, double toe, double q) {
   const auto in_toe = [&](double at) {
     return Law{at * at / (2 * toe), at / toe, (at * at * at / 3 + q * at) / (2 * toe)};
@@ -17,7 +17,7 @@ Law law(double p, double toe, double q) {
   const auto beyond = [&](double at) {
     return at * at / 2 - toe * at / 2 + q * (std::log(at) + toe / (2 * at));
   };
-  // Both branches have one energy at the end of the toe.
+  // Match the energies of both branches at the end of the toe.
   const double before = toe > 0 ? in_toe(toe).energy - beyond(toe) : 0;
   return {p - toe / 2, 1, beyond(p) + before};
 }
@@ -25,11 +25,11 @@ Law law(double p, double toe, double q) {
 }  // namespace
 
 BandResponse smoothed_response(double length, double slack, double EA, double toe, double blend) {
-  // Smoothed strain, in a form without cancellation for slack bands.
+  // Compute the smoothed strain, in a form without cancellation for slack bands.
   const double e = (length - slack) / slack, q = blend * blend / 4;
   const double root = std::hypot(e, blend), root_0 = std::hypot(1, blend);
   const double p = e > 0 ? (e + root) / 2 : 2 * q / (root - e), p_0 = 2 * q / (root_0 + 1);
-  // Law at this strain, less that at no length.
+  // Evaluate the law at this strain, less that at zero length.
   const Law at = law(p, toe, q), none = law(p_0, toe, q);
   const double energy = at.energy - none.energy - none.tension * length / slack;
   return {EA * slack * energy, EA * (at.tension - none.tension),

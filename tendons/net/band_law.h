@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tension of a band that can pull but not push.
+/// Tension law of a band that can pull but not push.
 
 #include <cmath>
 
@@ -8,11 +8,11 @@
 
 namespace thenar {
 
-/// Tension at strain  e = (length - slack) / slack:
+/// Computes the response at strain  e = (length - slack) / slack;  its tension is
 ///   0                    for e <= 0
 ///   EA e^2 / (2 toe)     for e <= toe
 ///   EA (e - toe / 2)     beyond
-/// @param length, slack  length of the band now and without tension, > 0 [m]
+/// @param length, slack  present length and length without tension, > 0 [m]
 /// @param EA             axial stiffness: tension per strain beyond the toe [N]
 /// @param toe            strain at which the law becomes linear, >= 0 [1]
 [[nodiscard]] inline BandResponse band_response(double length, double slack, double EA,
@@ -25,7 +25,7 @@ namespace thenar {
   return {EA * slack * (0.5 * past * past + toe * toe / 24), EA * past, EA / slack};
 }
 
-/// Law T of band_response() at a smoothed strain p that is never negative:
+/// Computes the law T of band_response() at a smoothed strain p that is never negative:
 ///   p = (e + sqrt(e^2 + blend^2)) / 2,    tension = T(p(e)) - T(p(-1)).
 /// The tension is smooth, above 0 at any length above 0, and 0 at length 0. The energy is its
 /// integral over the length, by e = p - blend^2 / (4 p).
@@ -34,7 +34,7 @@ namespace thenar {
 /// p = blend^2 / (4 |e|) if slack (e < 0). Without a toe the tension is then
 ///   EA (e + blend^2 / (4 e))  taut,    EA blend^2 (1 / |e| - 1) / 4  slack;
 /// with a toe the slack tension is far smaller, about EA p^2 / (2 toe).
-/// @param blend  strain over which the band goes from slack to taut, > 0 [1]; others as above
+/// @param blend  strain over which the band changes from slack to taut, > 0 [1]; others as above
 [[nodiscard]] BandResponse smoothed_response(double length, double slack, double EA, double toe,
                                              double blend);
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/units.h"
-#include "tendons/net/band_course.h"
 
 namespace thenar {
 namespace {
@@ -13,20 +12,20 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Steps through a joint's range, in which no end turns by half a turn
+// Number of steps through a joint's range; no end turns by half a turn in one of them
 constexpr int kSideSteps = 12;
 
-/// Angles about a cylinder's axis, seen from a side [rad].
+/// Range of angles about a cylinder's axis, counted from a side [rad].
 struct AngleSpan {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
   void add(double angle) {
-    least = std::min(least, angle);
-    most = std::max(most, angle);
+    min = std::min(min, angle);
+    max = std::max(max, angle);
   }
 };
 
-/// A finger, and a cylinder with the side that angles are counted from.
+/// Finger, and a cylinder with the side that angles are counted from.
 struct SideView {
   const Skeleton& skeleton;
   const VectorXd& straight;
@@ -40,7 +39,7 @@ struct SideView {
   }
 };
 
-/// Adds the angles of a node while one coordinate goes from the straight finger to an end of its
+/// Adds the angles of a node while one coordinate moves from the straight finger to an end of its
 /// range, in steps so that no turn is lost.
 void add_turn(const SideView& view, const NetNode& node, int coordinate, double end,
               AngleSpan& span) {
@@ -55,7 +54,7 @@ void add_turn(const SideView& view, const NetNode& node, int coordinate, double 
 }
 
 /// Adds the angles of a node in the straight finger, and through the ranges of the joints between
-/// it and the cylinder. Joints without a range stand still.
+/// it and the cylinder. Joints without a range do not move.
 void add_angles(const SideView& view, const NetNode& node, AngleSpan& span) {
   span.add(view.angle_of(node, view.straight));
   for (int a = node.link, b = view.surface.link; a != b;) {
@@ -76,13 +75,13 @@ void centre_sides(const Skeleton& skeleton, const VectorXd& straight, Net& net) 
     if (band.over < 0) continue;
     const BoneSurface& surface = net.surfaces[band.over];
     if (surface.shape != SurfaceShape::kCylinder) continue;
-    // Angles of both ends, and the middle of them.
+    // Turn the side to the middle of the angles of both ends.
     AngleSpan span;
     const SideView view{skeleton, straight, surface, band.side};
     for (const int end : {band.a, band.b}) add_angles(view, net.nodes[end], span);
-    if (span.most - span.least < 2 * kPi)
+    if (span.max - span.min < 2 * kPi)
       band.side =
-          rotation_about(Vector3d(Vector3d::UnitZ()), 0.5 * (span.least + span.most)) * band.side;
+          rotation_about(Vector3d(Vector3d::UnitZ()), 0.5 * (span.min + span.max)) * band.side;
   }
 }
 

@@ -17,8 +17,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Builds a surface of the description on a finger.
 BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
-  // Scale of the cross section: at its place, or the smaller one of a shaft's ends.
+  // Choose the scale of the cross section: at its place, or the smaller one of a shaft's ends.
   const FingerBone& bone = frame.bone(plan.center.bone);
   const double ratio = plan.shape == SurfaceShape::kCapsule ? std::min(bone.ratio[0], bone.ratio[1])
                                                             : height_ratio(bone, plan.center.along);
@@ -26,7 +27,7 @@ BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
   surface.name = plan.name;
   surface.link = bone.link;
   surface.shape = plan.shape;
-  // Size, and axes along or across the bone.
+  // Set the size, and axes along or across the bone.
   const double along = plan.across ? ratio : frame.scale;
   surface.size = {plan.radius * ratio, plan.half_length * along, 0};
   const Vector3d flexion = bone.along.cross(bone.dorsal);
@@ -34,16 +35,16 @@ BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
     surface.X.R << bone.dorsal, -bone.along, flexion;
   else
     surface.X.R << bone.dorsal, flexion, bone.along;
-  surface.X.p = point_of(frame, plan.center);
+  surface.X.p = place_position(frame, plan.center);
   return surface;
 }
 
-/// Lays the parts of a net in order: surfaces, nodes, bands, muscles.
+/// Builder of a net: surfaces, nodes, bands and muscles, in this order.
 class NetBuilder {
  public:
   NetBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& plan)
       : subject_(subject), digit_(digit), plan_(plan) {
-    // Parts in order: each refers to those before it.
+    // Add the parts in order: each refers to those before it.
     built_.frame = finger_frame(subject, digit, plan);
     built_.net.name = plan.name;
     built_.net.friction = plan.friction;
@@ -53,7 +54,7 @@ class NetBuilder {
     for (const NetBandPlan& band : plan.bands) add_band(band);
     for (const NetMusclePlan& muscle : plan.muscles) add_role(muscle);
     centre_sides(digit_.skeleton, built_.frame.straight, built_.net);
-    // Bands of the slips by name.
+    // Look up the bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
       bands.reserve(names.size());
@@ -66,10 +67,11 @@ class NetBuilder {
     built_.terminal = slip(plan.slips.terminal);
   }
 
+  /// Returns the result, once.
   BuiltNet take() { return std::move(built_); }
 
  private:
-  /// The point of the first of these strands that the subject has.
+  /// Returns the point of the first of these strands that the subject has.
   [[nodiscard]] std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
     const Strand* strand = find_strand(subject_, digit_, at.strands);
     if (strand == nullptr) return std::nullopt;
@@ -80,25 +82,27 @@ class NetBuilder {
     return points[k];
   }
 
+  /// Adds a node.
   void add_node(const NetNodePlan& plan) {
-    // At a point of a strand if the subject has it, otherwise at its place on the bone.
+    // Choose a point of a strand if the subject has it, otherwise its place on the bone.
     const CarriedPoint at = strand_point(plan.strand)
                                 .value_or(CarriedPoint{built_.frame.bone(plan.place.bone).link,
-                                                       point_of(built_.frame, plan.place)});
+                                                       place_position(built_.frame, plan.place)});
     NetNode node{plan.name, plan.floating, at.link, at.p, {}};
     for (const std::string& surface : plan.surfaces)
       node.surfaces.push_back(place_named(built_.net.surfaces, surface));
     built_.net.nodes.push_back(node);
   }
 
-  /// Direction in the surface's frame, at `angle` about the bone that carries it.
+  /// Computes a direction in the surface's frame, at `angle` about the bone that carries it.
   [[nodiscard]] Vector3d side_on(int surface, double angle) const {
     if (surface < 0) return Vector3d::UnitX();
     const NetSurface& plan = plan_.surfaces[surface];
     return built_.net.surfaces[surface].X.R.transpose() *
-           around(built_.frame.bone(plan.center.bone), angle);
+           direction_around(built_.frame.bone(plan.center.bone), angle);
   }
 
+  /// Adds a passive band.
   void add_band(const NetBandPlan& plan) {
     NetBand band;
     band.name = plan.name;
@@ -108,10 +112,11 @@ class NetBuilder {
     band.side = side_on(band.over, plan.side);
     band.EA = plan.EA;
     band.toe = plan.toe;
-    band.most_strain = plan.most_strain;
+    band.max_strain = plan.most_strain;
     built_.net.bands.push_back(band);
   }
 
+  /// Adds all muscles of a role.
   void add_role(const NetMusclePlan& role) {
     const std::vector<std::string> muscles = muscles_of(digit_, role);
     require(role.optional || !muscles.empty(),
@@ -122,29 +127,30 @@ class NetBuilder {
   }
 
   /// Returns whether the link is this bone's, or nearer to the base.
-  [[nodiscard]] bool within(int link, const FingerBone& bone) const {
+  [[nodiscard]] bool is_proximal_to(int link, const FingerBone& bone) const {
     for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[i].parent)
       if (i == link) return true;
     return link < 0;
   }
 
-  /// The rest of a muscle's path, from its first point on the bone or nearer to the wrist.
+  /// Builds a muscle's path outside the net, from its first point on the bone or nearer to the
+  /// wrist.
   [[nodiscard]] TendonPath<double> own_path(const NetMusclePlan& role,
                                             const std::string& muscle) const {
-    // Where the muscle leaves the net.
-    const Strand& strand = strand_of(subject_, muscle);
+    // Start at the exit if the description places it.
+    const Strand& strand = pulled_strand(subject_, muscle);
     const FingerBone& bone = built_.frame.bone(role.exit);
     TendonPath<double> path;
     const NetPullPlan& first = role.pulls.front();
     const bool place = first.exit_place && first.exit.strands.empty();
-    if (place) {  // then what its path does on that bone is left out
+    if (place) {  // the strand's points on that bone are then left out
       const CarriedPoint exit = exit_of(first);
       path.push_back({exit.link, exit.p});
     }
-    // Points of its strand from there towards the wrist.
+    // Append points of its strand from there towards the wrist.
     for (const CarriedPoint& point : carried_points(digit_.skeleton, strand))
-      if ((!path.empty() || within(point.link, bone)) &&
-          !(place && (point.link == bone.link || !within(point.link, bone))))
+      if ((!path.empty() || is_proximal_to(point.link, bone)) &&
+          !(place && (point.link == bone.link || !is_proximal_to(point.link, bone))))
         path.push_back({point.link, point.p});
     require(!path.empty(),
             "net '{}' needs a point of strand '{}' of subject '{}' on segment '{}' or nearer to "
@@ -153,10 +159,10 @@ class NetBuilder {
     return path;
   }
 
-  /// Share of a muscle that enters the hood, as the subject says, or as the net does.
+  /// Returns the share of a muscle that enters the hood, by the subject or by the description.
   [[nodiscard]] double share_of(const NetMusclePlan& role, const std::string& muscle,
                                 double stated) const {
-    // The hood of the subject decides where the description lets it.
+    // Prefer the hood of the subject where the description allows it.
     for (const Digit& d : subject_.digits)
       if (role.hood_share && d.hood && d.name == digit_.skeleton.tips.front().digit)
         for (const HoodBranch& branch : d.hood->branches)
@@ -164,34 +170,37 @@ class NetBuilder {
     return stated;
   }
 
+  /// Adds a muscle with all its pulls.
   void add_muscle(const NetMusclePlan& role, const std::string& muscle) {
-    // Pulls that others relay count for nothing.
+    // Sum the stated shares, without pulls that others relay.
     double stated = 0;
     for (const NetPullPlan& pull : role.pulls) stated += pull.relayed ? 0 : pull.share;
     const auto& names = digit_.names.muscles;
     const int m = static_cast<int>(std::find(names.begin(), names.end(), muscle) - names.begin());
     const double to_net = share_of(role, muscle, stated);
-    // A muscle that does not enter the net stays a whole tendon.
+    // Leave out a muscle that does not enter the net.
     if (to_net <= 0) return;
     built_.muscles.push_back({m, to_net, own_path(role, muscle)});
-    // Its share is divided among its pulls as described.
+    // Divide its share among its pulls as described.
     for (std::size_t k = 0; k < role.pulls.size(); ++k)
       add_pull(role.pulls[k], m, role.pulls[k].share / stated * to_net,
                role.pulls.size() == 1 ? muscle : fmt::format("{}/{}", muscle, k + 1));
   }
 
-  /// Returns the exit of a pull that no strand shows: its own place, or the end of its own path.
+  /// Returns the exit of a pull without a strand point: its own place, or the end of the muscle's
+  /// path.
   [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
-              point_of(built_.frame, *plan.exit_place)};
-    const PathNode<double>& end = built_.muscles.back().own.front();
+              place_position(built_.frame, *plan.exit_place)};
+    const PathNode<double>& end = built_.muscles.back().own_path.front();
     return {end.link, end.p};
   }
 
+  /// Adds a pull: a band from a node to the exit.
   void add_pull(const NetPullPlan& plan, int muscle, double share, const std::string& name) {
     Net& net = built_.net;
-    // The muscle's end of the band is a fixed node at the exit.
+    // Place a fixed node at the exit as the muscle's end of the band.
     const CarriedPoint exit = strand_point(plan.exit).value_or(exit_of(plan));
     NetBand band;
     band.name = name;
@@ -213,15 +222,15 @@ class NetBuilder {
   BuiltNet built_;
 };
 
-/// Length of each described band in the reference finger [m].
+/// Computes the length of each described band in the reference finger [m].
 std::vector<double> reference_lengths(const NetDescription& plan) {
-  // The same parts on the reference finger.
+  // Build the same parts on the reference finger.
   const FingerFrame frame = reference_finger(plan);
   Net net;
   for (const NetSurface& surface : plan.surfaces)
     net.surfaces.push_back(surface_on(frame, surface));
   for (const NetNodePlan& node : plan.nodes)
-    net.nodes.push_back({node.name, false, -1, point_of(frame, node.place), {}});
+    net.nodes.push_back({node.name, false, -1, place_position(frame, node.place), {}});
   for (const NetBandPlan& band : plan.bands) {
     const int over = band.over.empty() ? -1 : place_named(net.surfaces, band.over);
     net.bands.push_back({band.name, place_named(net.nodes, band.from),
@@ -230,7 +239,7 @@ std::vector<double> reference_lengths(const NetDescription& plan) {
   return start_lengths(net, {});
 }
 
-/// The description without what bands bend over.
+/// Returns the description with straight bands.
 NetDescription straightened(NetDescription plan) {
   for (NetBandPlan& band : plan.bands) band.over.clear();
   for (NetMusclePlan& muscle : plan.muscles)
@@ -238,15 +247,16 @@ NetDescription straightened(NetDescription plan) {
   return plan;
 }
 
-// Largest tension of a band over the sum of pulls, our choice; beyond it the band's strain holds a
-// load that no muscle pulls [1]
-constexpr double kMostLoad = 3;
-// Largest error of strain of fitted bands: 0.1 um for a band of 10 mm [1]
-constexpr double kSlackLeft = 1e-5;
+// Largest tension of a band over the sum of pulls, our choice; a larger one means that a locked-in
+// strain, not a muscle, loads the band [1]
+constexpr double kMaxLoadRatio = 3;
+// Largest strain error of fitted bands: 0.1 um for a band of 10 mm [1]
+constexpr double kMaxSlackStrainError = 1e-5;
 
+/// Returns the index of a named part. @throws InputError listing the parts of the net
 template <typename Part>
-int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
-           const std::string& net) {
+int require_index(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
+                  const std::string& net) {
   const int found = place_named(parts, name);
   std::vector<std::string> names;
   names.reserve(parts.size());
@@ -258,26 +268,26 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-no-recursion): once, for wrapped paths
+// NOLINTNEXTLINE(misc-no-recursion): one level, for straight lines
 BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {
-  // Ranges of the options.
+  // Check the options.
   require(options.taut_load > 0, "taut_load must be > 0, got {}", options.taut_load);
   require(options.prestrain >= 0 && options.prestrain < 1, "prestrain must be in 0..1, got {}",
           options.prestrain);
-  // Bands straight: the description without surfaces to bend over.
+  // Build straight bands from a description without surfaces to bend over.
   if (options.paths == NetPaths::kStraightLines) {
     NetBuildOptions bent = options;
     bent.paths = NetPaths::kWrapped;
     return build_net(subject, digit, straightened(description), bent);
   }
-  // Parts first, then slack lengths in the straight finger.
+  // Build the parts, and measure the bands in the straight finger and the reference finger.
   const TendonDigit whole = free_digit(subject, digit);
   BuiltNet built = NetBuilder(subject, whole, description).take();
   const TreeState<double> straight = pose_tree(whole.model.tree, built.frame.straight);
   const std::vector<double> here = start_lengths(built.net, straight);
   const std::vector<double> there = reference_lengths(description);
-  // Stated slack lengths scale with the finger; the others are fitted.
+  // Scale stated slack lengths with the finger, and list the others for fitting.
   std::vector<FittedBand> fitted;
   for (std::size_t b = 0; b < description.bands.size(); ++b) {
     NetBand& band = built.net.bands[b];
@@ -288,24 +298,24 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
     band.slack = stated ? description.bands[b].slack * here[b] / there[b]
                         : here[b] / (1 + options.prestrain);
   }
-  // Fit under an even load of the muscles.
+  // Fit slack lengths under an even load of the muscles.
   Eigen::VectorXd load(built.net.muscles.size());
   for (Eigen::Index p = 0; p < load.size(); ++p) load[p] = options.taut_load * built.pulls[p].share;
   const double off = fit_slack(built.net, straight, load, fitted);
-  require(off < kSlackLeft,
+  require(off < kMaxSlackStrainError,
           "slack lengths of net '{}' could not be fitted to the finger of '{}': strains differ "
           "by {:.2g} in the straight finger",
           description.name, subject.name, off);
-  built.net.most_load = kMostLoad;
-  return carried(std::move(built), whole, digit);
+  built.net.max_load = kMaxLoadRatio;
+  return transferred(std::move(built), whole, digit);
 }
 
 BuiltNet cut(const BuiltNet& built, const std::string& band) {
-  // Only passive bands can be cut.
-  const int gone = band_named(built.net, band);
+  // Check that the band is passive.
+  const int gone = band_index(built.net, band);
   require(built.net.bands[gone].muscle < 0, "band '{}' is a muscle's: give it no tension instead",
           band);
-  // Indices of the slips move up.
+  // Remove the band, and shift the indices of the slips.
   BuiltNet left = built;
   left.net.bands.erase(left.net.bands.begin() + gone);
   for (std::vector<int>* slip : {&left.central, &left.radial, &left.ulnar, &left.terminal}) {
@@ -315,12 +325,12 @@ BuiltNet cut(const BuiltNet& built, const std::string& band) {
   return left;
 }
 
-int band_named(const Net& net, const std::string& name) {
-  return needed(net.bands, name, "band", net.name);
+int band_index(const Net& net, const std::string& name) {
+  return require_index(net.bands, name, "band", net.name);
 }
 
-int node_named(const Net& net, const std::string& name) {
-  return needed(net.nodes, name, "node", net.name);
+int node_index(const Net& net, const std::string& name) {
+  return require_index(net.nodes, name, "node", net.name);
 }
 
 }  // namespace thenar

@@ -11,8 +11,8 @@
 namespace thenar {
 namespace {
 
-/// Maps the coordinates of a digit with all joints free to the same digit with some joints frozen;
-/// empty if a joint there is frozen without the joint that it follows.
+/// Maps the coordinates of a digit with all joints free to the same digit with frozen joints; empty
+/// if a joint is frozen there without the joint that it follows.
 std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
   const auto& names = digit.names.coordinates;
   for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {
@@ -33,7 +33,7 @@ std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit&
   return angles;
 }
 
-/// Muscles of the digit that have a role in the net.
+/// Returns the muscles of the digit that have a role in the net.
 std::vector<std::string> pulling_muscles(const TendonDigit& digit,
                                          const NetDescription& description) {
   std::vector<std::string> pulling;
@@ -42,7 +42,7 @@ std::vector<std::string> pulling_muscles(const TendonDigit& digit,
   return pulling;
 }
 
-/// The digit with all joints free, if one of its own is frozen.
+/// Builds the digit with all joints free, if a joint of the digit is frozen.
 FreeFinger free_finger(const Subject& subject, const TendonDigit& digit,
                        const NetDescription& description, const NetBuildOptions& net) {
   TendonDigit whole = free_digit(subject, digit);
@@ -50,7 +50,7 @@ FreeFinger free_finger(const Subject& subject, const TendonDigit& digit,
   FreeFinger free;
   free.angles = angles_of(whole, digit);
   if (free.angles.empty()) return {};
-  // Its muscles, by their names.
+  // Match the muscles by name.
   const auto& names = digit.names.muscles;
   for (const std::string& muscle : whole.names.muscles) {
     free.muscles.push_back(place_in(names, muscle));
@@ -82,7 +82,7 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
   TendonOptions separate = options;
   separate.hood = Hood::kSeparate;
   std::unique_ptr<DigitTendons> linear = build_linear_tendons(subject, digit, separate);
-  // What pulls the net counts even where all joints that it crosses itself are frozen.
+  // Keep the muscles that pull the net even if all joints that they cross are frozen.
   separate.kept = pulling_muscles(free_digit(subject, linear->digit()), description);
   const auto& names = linear->digit().names.muscles;
   if (any_of(separate.kept, [&](const std::string& muscle) { return !contains(names, muscle); }))

@@ -15,16 +15,16 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
     progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
     DigitPoint point;
     point.q = postures[i];
-    // A net comes from the straight finger, whatever the posture before.
+    // Follow a net from the straight finger, or evaluate linear tendons.
     if (net != nullptr) {
       NetContinuation walk = follow_from_straight(*net, point.q, t);
       point.snapped = !walk.snaps.empty();
       point.rest = std::move(walk.rest);
-      point.pull = net->torque_at_rest(point.q, t, point.rest);
+      point.pull = net->torque_at_equilibrium(point.q, t, point.rest);
     } else {
       point.pull = tendons.evaluate(point.q, t);
     }
-    // Tip force at that torque.
+    // Compute the tip force at that torque.
     point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
     points.push_back(std::move(point));
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Postures of a digit under given tensions, with or without a net.
+/// Sweep of a digit through postures under given tensions, with or without a net.
 
 #include <vector>
 
@@ -13,19 +13,20 @@
 
 namespace thenar {
 
-/// One posture under given tensions.
+/// State of a digit at one posture of a sweep.
 struct DigitPoint {
   Eigen::VectorXd q;     // [rad] (coordinates)
   TendonTorque pull;     // joint torque, moment arms, slips, warning
-  TipForce tip;          // of a pinned tip
-  NetEquilibrium rest;   // of the net; without nodes on rungs that have none
-  bool snapped = false;  // on its way from the straight finger the net has left its course
+  TipForce tip;          // force of a pinned tip
+  NetEquilibrium rest;   // equilibrium of the net; without nodes if there is no net
+  bool snapped = false;  // the net has snapped on its way from the straight finger
 };
 
-/// Solves all postures in order. A net comes to each from the straight finger, so that a posture in
-/// a row is told what it is told alone; sweep_net() follows a net from one to the next.
+/// Solves all postures in order. A net is followed to each from the straight finger, so that the
+/// result at a posture does not depend on the others; sweep_net() follows a net from one to the
+/// next.
 /// @param t         tension of each muscle [N] (muscles)
-/// @param progress  may stop it: the points that are done come back
+/// @param progress  progress; where it stops the sweep, the points so far are returned
 /// @throws InputError as DigitTendons::evaluate().
 [[nodiscard]] std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
                                                   const std::vector<Eigen::VectorXd>& postures,

@@ -16,22 +16,23 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMcp = 0, kPip = 1, kDip = 2;
-// Least cosine to the flexion direction of a flexing joint, see tendon_model.cpp [1]
+// Smallest cosine between a flexing joint's axis and the flexion direction, see tendon_model.cpp
+// [1]
 constexpr double kFlexionCosine = 0.7071;
 
-/// One straight run of tendon across a joint.
+/// Straight run of a tendon across a joint.
 struct Run {
   CarriedPoint distal, proximal;
 };
 
-/// Two lines, a + s u and b + t v, where they come nearest.
+/// Point of an axis nearest to a run, and their distance.
 struct Nearest {
   Vector3d on_axis;
   double distance;
 };
 
 Nearest nearest(const Vector3d& axis_point, const Vector3d& axis, const Run& run) {
-  // Nearest points of two lines in general position.
+  // Solve for the nearest points of two lines in general position.
   const Vector3d u = (run.proximal.p - run.distal.p).normalized();
   const Vector3d w = run.distal.p - axis_point;
   const double cosine = axis.dot(u), square = 1 - cosine * cosine;
@@ -40,12 +41,12 @@ Nearest nearest(const Vector3d& axis_point, const Vector3d& axis, const Run& run
   return {axis_point + s * axis, std::abs(w.dot(across))};
 }
 
-/// Reads a finger out of a subject.
+/// Builder of the frame of a finger.
 class FrameBuilder {
  public:
   FrameBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& net)
       : subject_(subject), digit_(digit), net_(net), skeleton_(digit.skeleton) {
-    // The digit, its flexion axis and its radial side.
+    // Find the digit, its flexion axis and its radial side.
     for (const Digit& d : subject.digits)
       if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
     require(tip_digit_->name != "thumb", "net '{}' is for fingers and cannot be used for the thumb",
@@ -56,8 +57,9 @@ class FrameBuilder {
     find_extensor();
   }
 
+  /// Builds the frame.
   FingerFrame take() {
-    // Joint centres and bones at the reference posture, then heights in the straight finger.
+    // Place joint centres and bones at the reference posture, then measure heights when straight.
     for (std::size_t j = 0; j < 3; ++j) centre_[j] = nearest_at_reference(j).on_axis;
     set_bones();
     set_straight();
@@ -68,9 +70,9 @@ class FrameBuilder {
   }
 
  private:
-  /// The joints of the finger, walking up from the tip.
+  /// Finds the joints of the finger, walking up from the tip.
   void find_joints() {
-    // Joints whose axis flexes, from the tip to the base.
+    // Collect joints whose axis flexes, from the tip to the base.
     std::string segment = tip_digit_->tip_segment;
     for (auto joint = subject_.joints.rbegin(); joint != subject_.joints.rend(); ++joint) {
       if (joint->child != segment) continue;
@@ -84,23 +86,25 @@ class FrameBuilder {
             net_.name, tip_digit_->name, subject_.name, found_);
   }
 
+  /// Finds the strand of the extensor, the net's first muscle.
   void find_extensor() {
     require(!net_.muscles.empty(), "net '{}' has no muscle", net_.name);
     const std::vector<std::string> names = muscles_of(digit_, net_.muscles.front());
     require(!names.empty(), "net '{}' needs muscle '{}' ({}), and none crosses the {} of '{}'",
             net_.name, net_.muscles.front().role, fmt::join(net_.muscles.front().names, ", "),
             tip_digit_->name, subject_.name);
-    extensor_ = &strand_of(subject_, names.front());
+    extensor_ = &pulled_strand(subject_, names.front());
   }
 
+  /// Returns the place of a segment in the digit, counted from the base; -1: not in the digit.
   [[nodiscard]] int depth(const std::string& segment) const {
     const auto found = std::find(chain_.begin(), chain_.end(), segment);
     return found == chain_.end() ? -1 : static_cast<int>(chain_.end() - found);
   }
 
-  /// The run of a strand across joint j, if it has one.
+  /// Returns the run of a strand across joint j, if it has one.
   [[nodiscard]] std::optional<Run> run_across(const Strand& strand, std::size_t j) const {
-    // Consecutive points on both sides of the joint.
+    // Find consecutive points on both sides of the joint.
     const int child = depth(joint_[j]->child);
     const PathPoint* a = nullptr;
     for (const PathPoint& b : strand.path) {
@@ -112,8 +116,9 @@ class FrameBuilder {
     return std::nullopt;
   }
 
+  /// Returns the extensor's run across joint j.
   [[nodiscard]] Run extensor_run(std::size_t j) const {
-    // A strand named for this joint, otherwise the extensor's own run.
+    // Prefer a strand named for this joint to the extensor's own run.
     const auto named = net_.height_strands.find(static_cast<FingerJoint>(j));
     if (named != net_.height_strands.end())
       if (const Strand* strand = find_strand(subject_, digit_, named->second))
@@ -127,6 +132,7 @@ class FrameBuilder {
     return *run;
   }
 
+  /// Poses a path point at the reference posture.
   [[nodiscard]] CarriedPoint carried(const PathPoint& point) const {
     return {skeleton_.link_of_segment.at(point.segment),
             skeleton_.segment_at.at(point.segment) * point.p};
@@ -141,58 +147,60 @@ class FrameBuilder {
     return nearest(at_joint(j) * joint_[j]->point, axis(j), extensor_run(j));
   }
 
+  /// Sets one bone.
   void set_bone(BoneRole role, const std::string& segment, const Vector3d& proximal,
                 const Vector3d& distal, const Vector3d& flexion) {
     FingerBone& bone = frame_.bones[static_cast<std::size_t>(role)];
     bone.segment = segment;
     bone.link = skeleton_.link_of_segment.at(segment);
     bone.proximal = proximal;
-    // Length and direction of its line.
+    // Set length and direction of its line.
     bone.distal = distal;
     bone.length = (proximal - distal).norm();
     require(bone.length > 0, "a bone of the {} of subject '{}' has no length: segment '{}'",
             tip_digit_->name, subject_.name, segment);
     bone.along = (proximal - distal) / bone.length;
-    // Dorsal, across the mean of the flexion axes; then radial.
+    // Set the dorsal direction, square to the mean of the flexion axes, and the radial one.
     bone.dorsal = flexion.cross(bone.along).normalized();
     bone.radial = side_ * bone.along.cross(bone.dorsal);
   }
 
+  /// Sets all bones and the scale of the finger.
   void set_bones() {
     const Vector3d tip = skeleton_.tips.front().p;
-    // Phalanges between joint centres and the tip.
+    // Set the phalanges between joint centres and the tip.
     set_bone(BoneRole::kProximal, joint_[kPip]->parent, centre_[kMcp], centre_[kPip],
              axis(kMcp) + axis(kPip));
     set_bone(BoneRole::kMiddle, joint_[kDip]->parent, centre_[kPip], centre_[kDip],
              axis(kPip) + axis(kDip));
     set_bone(BoneRole::kDistal, joint_[kDip]->child, centre_[kDip], tip, axis(kDip));
-    // Scale against the reference finger.
+    // Compute the scale against the reference finger.
     double length = 0, reference = 0;
     for (BoneRole role : {BoneRole::kProximal, BoneRole::kMiddle, BoneRole::kDistal}) {
       length += frame_.bone(role).length;
       reference += net_.bone_length.at(role);
     }
     frame_.scale = length / reference;
-    // Metacarpal of the scaled length.
+    // Set the metacarpal with the scaled length.
     const double metacarpal = frame_.scale * net_.bone_length.at(BoneRole::kMetacarpal);
     set_bone(BoneRole::kMetacarpal, joint_[kMcp]->parent,
              centre_[kMcp] + metacarpal * metacarpal_direction(), centre_[kMcp], axis(kMcp));
   }
 
-  /// Unit, towards the wrist.
+  /// Computes the direction of the metacarpal, unit, towards the wrist.
   [[nodiscard]] Vector3d metacarpal_direction() const {
     const std::string& segment = joint_[kMcp]->parent;
-    // Points of the extensor on the metacarpal.
+    // Use the points of the extensor on the metacarpal if they are far enough apart.
     std::vector<Vector3d> points;
     for (const PathPoint& point : extensor_->path)
       if (point.segment == segment && point.surface.empty()) points.push_back(carried(point).p);
-    // Least length of a run that gives a direction, not the bow of a tendon [m]
-    constexpr double kLongEnough = 0.01;
-    if (points.size() > 1 && (points.back() - points.front()).norm() > kLongEnough)
+    // Smallest length of a run that gives the direction of the bone [m]
+    constexpr double kMinDirectionLength = 0.01;
+    if (points.size() > 1 && (points.back() - points.front()).norm() > kMinDirectionLength)
       return (points.back() - points.front()).normalized();
-    // Its segment, then the axes of the digit.
+    // Otherwise use its segment, then the axes of the digit.
     for (const Segment& s : subject_.segments)
-      if (s.name == segment && (s.proximal - s.distal).norm() > kLongEnough)
+      if (s.name == segment && (s.proximal - s.distal).norm() > kMinDirectionLength)
         return (skeleton_.segment_at.at(segment).R * (s.proximal - s.distal)).normalized();
     return skeleton_.tips.front().axes.col(0);
   }
@@ -282,14 +290,14 @@ double height_ratio(const FingerBone& bone, double along) {
   return bone.ratio[0] + s * (bone.ratio[1] - bone.ratio[0]);
 }
 
-Vector3d around(const FingerBone& bone, double angle) {
+Vector3d direction_around(const FingerBone& bone, double angle) {
   return std::cos(angle) * bone.dorsal + std::sin(angle) * bone.radial;
 }
 
-Vector3d point_of(const FingerFrame& frame, const NetPlace& place) {
+Vector3d place_position(const FingerFrame& frame, const NetPlace& place) {
   const FingerBone& bone = frame.bone(place.bone);
   return bone.proximal + place.along * (bone.distal - bone.proximal) +
-         height_ratio(bone, place.along) * place.height * around(bone, place.angle);
+         height_ratio(bone, place.along) * place.height * direction_around(bone, place.angle);
 }
 
 std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand& strand) {
@@ -302,7 +310,7 @@ std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand&
   return points;
 }
 
-const Strand& strand_of(const Subject& subject, const std::string& muscle) {
+const Strand& pulled_strand(const Subject& subject, const std::string& muscle) {
   for (const MuscleUnit& unit : subject.muscles)
     if (unit.name == muscle)
       for (const Strand& strand : subject.strands)

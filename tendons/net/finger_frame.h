@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bones of one finger by role, with the directions and scales by which a net is laid on them.
+/// Bones of one finger by role, with the directions and scales for placing a net on them.
 
 #include <array>
 #include <string>
@@ -13,25 +13,26 @@
 
 namespace thenar {
 
-/// One bone of a finger, at the reference posture.
+/// Bone of a finger, at the reference posture.
 struct FingerBone {
   std::string segment;
   int link = -1;
   Eigen::Vector3d proximal, distal;  // ends of its line, joint centres or the tip [m] (3)
-  Eigen::Vector3d along;             // unit, towards proximal (3)
-  Eigen::Vector3d dorsal, radial;    // unit, square to `along` (3)
-  double length;                     // of the line [m]
-  double ratio[2];                   // extensor heights at its proximal and distal end per those of
-                                     // the net's reference finger [1]
+  Eigen::Vector3d along;             // unit direction towards proximal (3)
+  Eigen::Vector3d dorsal, radial;    // unit directions square to `along` (3)
+  double length;                     // length of the line [m]
+  double ratio[2];  // ratio of the extensor's height to that in the net's reference finger, at the
+                    // proximal and distal end [1]
 };
 
-/// Frame of a finger, on which a net is built.
+/// Geometry of a finger on which a net is built.
 struct FingerFrame {
-  std::array<FingerBone, 4> bones;  // by BoneRole
-  std::array<double, 3> height;     // of the extensor over the joints' axes, by FingerJoint [m]
-  Eigen::VectorXd straight;         // posture in which the bones' lines are parallel [rad]
-  double scale;                     // length of the phalanges per that of the reference finger [1]
+  std::array<FingerBone, 4> bones;  // bones by BoneRole
+  std::array<double, 3> height;  // height of the extensor over the joints' axes, by FingerJoint [m]
+  Eigen::VectorXd straight;      // posture in which the bones' lines are parallel [rad]
+  double scale;                  // length of the phalanges over that of the reference finger [1]
 
+  /// Returns the bone with a role.
   [[nodiscard]] const FingerBone& bone(BoneRole role) const {
     return bones[static_cast<std::size_t>(role)];
   }
@@ -48,37 +49,39 @@ struct FingerFrame {
 [[nodiscard]] FingerFrame finger_frame(const Subject& subject, const TendonDigit& digit,
                                        const NetDescription& description);
 
-/// The finger that the description's lengths belong to, straight along -x with dorsal y; all on the
-/// base.
+/// Builds the reference finger of the description's lengths: straight along -x with dorsal y, all
+/// bones on the base.
 [[nodiscard]] FingerFrame reference_finger(const NetDescription& description);
 
-/// Extensor height at a place of a bone per that of the reference finger, between its two ends [1].
+/// Interpolates the ratio of the extensor's height to that in the reference finger along a bone
+/// [1].
+/// @param along  position along the bone, 0 at its proximal end and 1 at its distal one
 [[nodiscard]] double height_ratio(const FingerBone& bone, double along);
 
-/// Returns a place at the reference posture [m] (3).
-[[nodiscard]] Eigen::Vector3d point_of(const FingerFrame& frame, const NetPlace& place);
+/// Computes the position of a place of the description in the reference posture [m] (3).
+[[nodiscard]] Eigen::Vector3d place_position(const FingerFrame& frame, const NetPlace& place);
 
-/// Unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).
-[[nodiscard]] Eigen::Vector3d around(const FingerBone& bone, double angle);
+/// Computes the unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).
+[[nodiscard]] Eigen::Vector3d direction_around(const FingerBone& bone, double angle);
 
-/// A point of a path of the subject, where the skeleton has it at the reference posture.
+/// Path point of the subject, as the skeleton carries it at the reference posture.
 struct CarriedPoint {
   int link;
-  Eigen::Vector3d p;  // [m] (3)
+  Eigen::Vector3d p;  // position [m] (3)
 };
 
-/// Every path point whose segment is kept, from insertion to origin.
+/// Returns every path point whose segment is kept, from insertion to origin.
 [[nodiscard]] std::vector<CarriedPoint> carried_points(const Skeleton& skeleton,
                                                        const Strand& strand);
 
-/// The strand that a muscle of the subject pulls. @throws InputError if there is none.
-[[nodiscard]] const Strand& strand_of(const Subject& subject, const std::string& muscle);
+/// Returns the strand that a muscle of the subject pulls. @throws InputError if there is none.
+[[nodiscard]] const Strand& pulled_strand(const Subject& subject, const std::string& muscle);
 
-/// The first of the named strands that crosses a joint of the digit, or null.
+/// Returns the first of the named strands that crosses a joint of the digit, or null.
 [[nodiscard]] const Strand* find_strand(const Subject& subject, const TendonDigit& digit,
                                         const std::vector<std::string>& names);
 
-/// Names of the digit's muscles that have a role, in the digit's order.
+/// Returns the names of the digit's muscles that have a role, in the digit's order.
 [[nodiscard]] std::vector<std::string> muscles_of(const TendonDigit& digit,
                                                   const NetMusclePlan& role);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The digit with those of its muscles that are named.
+/// Returns the digit with only the named muscles.
 TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& named) {
   const TendonDigit all = digit;
   digit.names.muscles.clear();
@@ -29,12 +29,12 @@ TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& name
   return digit;
 }
 
-/// Moves the parts of a net from the links of a digit with all joints free to those of the same
-/// digit with some of them frozen, on which bones are displaced.
+/// Transfers the parts of a net from a digit with all joints free to the same digit with frozen
+/// joints, where bones are displaced.
 class NetCarrier {
  public:
   NetCarrier(const TendonDigit& whole, const TendonDigit& digit) : whole_(whole), digit_(digit) {
-    // Every link of the whole digit that carries a bone, and where that bone is in the other.
+    // Map every link that carries a bone to that bone's link and displacement in the other digit.
     for (const auto& [segment, link] : whole.skeleton.link_of_segment) {
       if (link < 0) continue;
       link_[link] = digit.skeleton.link_of_segment.at(segment);
@@ -62,7 +62,7 @@ class NetCarrier {
     on = link(on);
   }
 
-  /// Muscles by their numbers in the digit; those that it has not pull with nothing.
+  /// Renumbers the muscles by the digit; those that it lacks have no pull.
   void carry_muscles(BuiltNet& built) const {
     const auto number = [&](int muscle) {
       return place_in(digit_.names.muscles, whole_.names.muscles[muscle]);
@@ -74,7 +74,7 @@ class NetCarrier {
     std::vector<NetMuscle> muscles;
     for (NetMuscle& muscle : built.muscles) {
       muscle.muscle = number(muscle.muscle);
-      for (PathNode<double>& point : muscle.own) carry(point.link, point.p);
+      for (PathNode<double>& point : muscle.own_path) carry(point.link, point.p);
       if (muscle.muscle >= 0) muscles.push_back(std::move(muscle));
     }
     built.muscles = std::move(muscles);
@@ -89,7 +89,7 @@ class NetCarrier {
       carry(proximal, bone.proximal);
       carry(bone.link, bone.distal);
     }
-    // Of the straight posture, the angles that are left.
+    // Keep the angles of the straight posture that are coordinates of the digit.
     Eigen::VectorXd straight(digit_.model.coordinates);
     for (Eigen::Index j = 0; j < straight.size(); ++j)
       straight[j] = frame.straight[place_in(whole_.names.coordinates, digit_.names.coordinates[j])];
@@ -112,12 +112,12 @@ TendonDigit free_digit(const Subject& subject, const TendonDigit& digit) {
   const std::string& name = digit.skeleton.tips.front().digit;
   TendonDigit whole = build_tendon_digit(subject, name, options);
   if (options.wrist_mode == WristMode::kWelded) return whole;
-  // Tendons of other fingers cross the wrist as well.
+  // Drop tendons of other fingers, which cross the wrist as well.
   const TendonDigit own = build_tendon_digit(subject, name, {Path::kViaPoint, Hood::kSeparate});
   return with_muscles(std::move(whole), own.names.muscles);
 }
 
-BuiltNet carried(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit) {
+BuiltNet transferred(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit) {
   return NetCarrier(whole, digit).carry(std::move(built));
 }
 

@@ -1,20 +1,21 @@
 #pragma once
 
-/// A digit with all its joints free, and what was built on it carried to the digit with some
-/// frozen.
+/// Digit with all its joints free, and the transfer of a net built on it to the digit with frozen
+/// joints.
 
 #include "tendons/net/build_net.h"
 
 namespace thenar {
 
-/// The digit with every joint free, which a net is laid on: separate tendons, straight between
-/// their points, of muscles that cross joints of its own. Joints that digits share stay welded at
-/// the reference posture if they are in `digit`.
+/// Builds the digit with every joint free, on which a net is built: separate tendons, straight
+/// between their points, of muscles that cross joints of the digit itself. Joints that digits share
+/// are welded at the reference posture if they belong to `digit`.
 [[nodiscard]] TendonDigit free_digit(const Subject& subject, const TendonDigit& digit);
 
-/// Moves the parts of a net from a digit with all joints free to the same digit with some of them
-/// frozen, on which bones are displaced. Muscles that it has not pull with nothing.
+/// Transfers a net from a digit with all joints free to the same digit with frozen joints, where
+/// bones are displaced. Muscles that the digit lacks have no pull.
 /// @param whole  free_digit(), on which the net was built
-[[nodiscard]] BuiltNet carried(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit);
+[[nodiscard]] BuiltNet transferred(BuiltNet built, const TendonDigit& whole,
+                                   const TendonDigit& digit);
 
 }  // namespace thenar

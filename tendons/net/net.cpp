@@ -7,13 +7,14 @@
 namespace thenar {
 namespace {
 
-bool good_size(double size) { return size > 0 && std::isfinite(size); }
+/// Returns whether a size is positive and finite.
+bool is_valid_size(double size) { return size > 0 && std::isfinite(size); }
 
 void check_surface(const BoneSurface& s) {
   require(s.link >= -1, "surface {}: no link {}", s.name, s.link);
-  require(good_size(s.size[0]), "surface {}: size must be > 0, got {}", s.name, s.size[0]);
+  require(is_valid_size(s.size[0]), "surface {}: size must be > 0, got {}", s.name, s.size[0]);
   if (s.shape == SurfaceShape::kEllipsoid)
-    require(good_size(s.size[1]) && good_size(s.size[2]),
+    require(is_valid_size(s.size[1]) && is_valid_size(s.size[2]),
             "surface {}: semi-axes must be > 0, got {} {}", s.name, s.size[1], s.size[2]);
   require(s.size.allFinite() && s.X.R.allFinite() && s.X.p.allFinite(),
           "surface {}: a number is not finite", s.name);
@@ -71,7 +72,7 @@ void check_net(const Net& net) {
 
 void check_drive(const Net& net, const NetDrive& drive) {
   const auto muscles = static_cast<Eigen::Index>(net.muscles.size());
-  // One tension for each muscle, and lengths for all or for none.
+  // Check sizes: one tension per muscle, and lengths and laws for all or for none.
   require(drive.tension.size() == muscles, "net {} has {} muscles, drive has {} tensions", net.name,
           muscles, drive.tension.size());
   require(drive.length.size() == muscles || drive.length.size() == 0,
@@ -79,7 +80,7 @@ void check_drive(const Net& net, const NetDrive& drive) {
   const auto laws = static_cast<Eigen::Index>(drive.law.size());
   require(laws == muscles || laws == 0, "net {} has {} muscles, drive has {} laws", net.name,
           muscles, laws);
-  // Each value is possible, and a length needs a stiffness to act on.
+  // Check values; a length needs a band with stiffness.
   for (Eigen::Index m = 0; m < muscles; ++m) {
     const bool by_length = drive.length.size() > 0 && std::isfinite(drive.length(m));
     const double given = by_length ? drive.length(m) : drive.tension(m);

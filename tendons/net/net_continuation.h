@@ -1,46 +1,50 @@
 #pragma once
 
-/// Equilibrium of a net followed from one posture and load to another, however far apart.
+/// Continuation: the equilibrium of a net followed from one posture and load to another, however
+/// far apart.
 ///
 /// Nodes are predicted by their derivatives,  x + dx/dq dq + dx/dt dt,  and the step is shortened
-/// until the net is found where it was predicted: so it keeps its course, and the result does not
-/// depend on how far apart two postures are. Where no step is short enough the net has snapped.
-/// What a prediction is off grows with the square of the step, which tells how long the next one
-/// may be.
+/// until the equilibrium is close to the prediction. So the net stays on one branch, and the result
+/// does not depend on how far apart two postures are. Where no step is short enough the net has
+/// snapped. The prediction error grows with the square of the step, which gives the length of the
+/// next one.
 
 #include "tendons/net/net_pull.h"
 
 namespace thenar {
 
+/// Options of follow_net().
 struct NetContinuationOptions {
-  double stray = 2e-4;     // from where a knot was predicted; more is a shorter step, or a snap [m]
-  double min_turn = 1e-5;  // of any joint in a step that is not shortened [rad]
-  double min_load = 1e-5;  // change of tension in such a step, per largest tension [1]
-  int max_solves = 1000;   // then the rest is gone in one step, and snaps are not judged
+  double stray = 2e-4;     // largest distance of a node from its prediction; beyond it the step is
+                           // shortened, or the net has snapped [m]
+  double min_turn = 1e-5;  // smallest step: largest rotation of any joint [rad]
+  double min_load = 1e-5;  // smallest step: change of tension over the largest tension [1]
+  int max_solves = 1000;   // limit of searches; then one step covers the rest of the way and snaps
+                           // are not detected
 };
 
-/// A snap on the way: of no length, but for the least step.
+/// Snap on the way, located to within the smallest step.
 struct NetJump : NetSnap {
-  double from = 0;  // share of the way before it, `share` behind it [1]
+  double from = 0;  // fraction of the way just before it; `share` is just after it [1]
   NetEquilibrium before, after;
 };
 
-/// An equilibrium, and how it was reached.
+/// Equilibrium, and the way by which it was reached.
 struct [[nodiscard]] NetContinuation {
   NetEquilibrium rest;
-  std::vector<NetJump> snaps;  // on the way, the first one first
-  int solves = 0;              // searches for rest
+  std::vector<NetJump> snaps;  // snaps on the way, in order of occurrence
+  int solves = 0;              // number of equilibrium searches
   long effort = 0;             // evaluations of the net's energy in them
   bool followed = true;        // false: max_solves did not suffice
 };
 
 /// Follows a net from its equilibrium at one posture and load to another. Where no equilibrium is
-/// found near the prediction, the solver starts from scratch; what it finds elsewhere is a snap.
-/// Where the net is not differentiable, see why_not_differentiable(), or no muscle pulls it at
-/// either end, so that nothing determines its knots, it is moved in one step and snaps are not
-/// judged.
-/// @param tendons  pulled by tensions
-/// @param rest     at `from`, as found before
+/// found near the prediction, the solver starts without one; an equilibrium found elsewhere is a
+/// snap. Where the net is not differentiable, see why_not_differentiable(), or no muscle pulls it
+/// at either end, so that nothing determines its nodes, one step covers the whole way and snaps are
+/// not detected.
+/// @param tendons  driven by tensions
+/// @param rest     equilibrium at `from`
 /// @throws InputError as DigitTendons::evaluate().
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
                            const PostureAndLoad& from, const PostureAndLoad& to,
@@ -49,15 +53,16 @@ NetContinuation follow_net(const NetPull& pull, const NetEquilibrium& rest,
                            const PostureAndLoad& from, const PostureAndLoad& to,
                            const NetContinuationOptions& options = {});
 
-/// Equilibrium of a net at (q, t) that came there from the straight finger under these tensions:
-/// the one that every question about a single posture means. Joints that are frozen bend on the way
-/// as if they were free. If that is not balanced or more than tissue bears, other ways are tried,
-/// see search_rest(); one that leads to a sound rest counts as a snap.
+/// Computes the equilibrium of a net at (q, t) that is reached from the straight finger under these
+/// tensions: the one meant by all results for a single posture. Frozen joints bend on the way as if
+/// they were free. If it is not balanced or overstrained, other ways are tried, see search_rest();
+/// one that leads to a sound equilibrium counts as a snap.
 NetContinuation follow_from_straight(const NetTendons& tendons, const Eigen::VectorXd& q,
                                      const Eigen::VectorXd& t,
                                      const NetContinuationOptions& options = {});
 
-/// Largest distance of a floating node, held by its bands in both, from x to its equilibrium [m].
+/// Computes the largest distance between x and the equilibrium over the floating nodes that bands
+/// determine in both [m].
 [[nodiscard]] double largest_deviation(const Net& net, const std::vector<int>& loose_before,
                                        const Eigen::Matrix3Xd& x, const NetEquilibrium& rest);
 

@@ -4,10 +4,10 @@
 /// exactly slack or a node just touches.
 ///
 /// With  E*(q, p)  the energy minimised over the floating nodes,  tau = -dE*/dq  and for any input
-/// p that leaves bones still  dE*/dp = sum_bands of dE_b/dp at fixed length, so that
+/// p that does not move bones  dE*/dp = sum_bands of dE_b/dp at fixed length, so that
 ///   d tau/dp = -d2E*/(dq dp) = -(dL/dq)' dT/dp,
-/// dT/dp the rate of each band's tension at fixed length: all that torques do follows from dL/dq,
-/// one solve a joint coordinate. Derivation: docs/theory/extensor_net.md.
+/// with dT/dp the rate of each band's tension at fixed length. All torque derivatives follow from
+/// dL/dq, one linear solve per joint coordinate. Derivation: docs/theory/extensor_net.md.
 
 #include <string>
 
@@ -21,39 +21,39 @@ namespace thenar {
 /// Returns the reason why an equilibrium is not differentiable, or an empty text. It is
 /// differentiable if it is balanced, is no saddle, and no band has collapsed two floating nodes
 /// together. A node that is collapsed into a fixed exit moves with the exit.
-/// @param settled  residual of a stalled net below which it counts as balanced [N]
+/// @param settled  residual below which a stalled net counts as balanced [N]
 [[nodiscard]] std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest,
                                                  double settled = 0);
 
 /// Options of length_by_posture().
 struct LengthSlopes {
-  int coordinates;     // of the posture
-  double settled = 0;  // residual of a stalled net below which it counts as balanced [N]
+  int coordinates;     // number of entries of q
+  double settled = 0;  // residual below which a stalled net counts as balanced [N]
 };
 
-/// dL/dq of all bands while the net stays in equilibrium (bands, coordinates) [m/rad].
-/// @throws InputError as of why_not_differentiable().
+/// Computes dL/dq of all bands while the net stays in equilibrium (bands, coordinates) [m/rad].
+/// @throws InputError as in why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 const LengthSlopes& wanted);
 
-/// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
-/// @throws InputError as of why_not_differentiable().
+/// Computes d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
+/// @throws InputError as in why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree,
                                               const TreeState<double>& state, const NetDrive& drive,
                                               const NetEquilibrium& rest, int coordinates);
 
-/// d length/d tension: of the bands that each muscle pulls, by the tension of each [m/N] (muscles,
-/// muscles). Symmetric, with no positive eigenvalue, as the second derivative of
+/// Computes d length/d tension: lengths of the bands that each muscle pulls, by the tension of each
+/// [m/N] (muscles, muscles). Symmetric, with no positive eigenvalue, as the second derivative of
 /// min_x E + sum t length.
-/// @throws InputError as of why_not_differentiable().
+/// @throws InputError as in why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest);
 
-/// d tau/dq while the net stays in equilibrium: minus its joint stiffness, symmetric [N m/rad]
-/// (coordinates, coordinates).
-/// @throws InputError as of why_not_differentiable().
+/// Computes d tau/dq while the net stays in equilibrium: minus its joint stiffness, symmetric [N
+/// m/rad] (coordinates, coordinates).
+/// @throws InputError as in why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
@@ -61,23 +61,24 @@ struct LengthSlopes {
 
 /// Derivatives of (x, tension, tau) by one group of inputs.
 struct NetJacobian {
-  Eigen::MatrixXd x;        // of all nodes, stacked (3 nodes, inputs)
-  Eigen::MatrixXd tension;  // of all bands (bands, inputs)
-  Eigen::MatrixXd tau;      // of the joint torque (coordinates, inputs)
+  Eigen::MatrixXd x;        // positions of all nodes, stacked (3 nodes, inputs)
+  Eigen::MatrixXd tension;  // tensions of all bands (bands, inputs)
+  Eigen::MatrixXd tau;      // joint torque (coordinates, inputs)
 };
 
+/// Derivatives of an equilibrium by all inputs.
 struct NetDerivatives {
   NetJacobian by_posture;  // by q [1/rad]
   NetJacobian by_drive;    // by each muscle's tension [1/N], or length [1/m]
   NetJacobian by_EA;       // by each band's EA [1/N]
   NetJacobian by_slack;    // by each band's slack length [1/m]
-  NetJacobian by_place;    // by world x, y, z of each fixed node in turn, on its link; 0 for those
-                           // that float [1/m]
-  NetJacobian by_radius;   // of each surface; 0 for ellipsoids and tori [1/m]
+  NetJacobian by_place;  // by world x, y, z of each fixed node in turn, on its link; 0 for floating
+                         // nodes [1/m]
+  NetJacobian by_radius;  // by the radius of each surface; 0 for ellipsoids and tori [1/m]
 };
 
-/// All derivatives: one solve for each input, where the torque alone needs fewer.
-/// @throws InputError as of why_not_differentiable().
+/// Computes all derivatives, one linear solve per input; the torque alone needs fewer.
+/// @throws InputError as in why_not_differentiable().
 [[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                              const TreeState<double>& state, const NetDrive& drive,
                                              const NetEquilibrium& rest, int coordinates);

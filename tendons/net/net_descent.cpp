@@ -10,9 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCarriedGap = 1e-9;  // Starts deeper than this are pushed out of the bone [m]
-constexpr double kLyingGap = 2e-5;    // Starts within this gap are tried as lying on the bone [m]
-constexpr double kHardPull = 10;      // Pull at which taut nets swing freely [N]
+constexpr double kCarriedGap = 1e-9;  // depth of a start beyond which it is moved out of bone [m]
+constexpr double kLyingGap = 2e-5;    // gap of a start within which contact is assumed [m]
+constexpr double kHardPull = 10;      // pull at which taut nets converge quickly [N]
 
 }  // namespace
 
@@ -28,7 +28,7 @@ NetDescent::NetDescent(const Net& net, const NetSolverOptions& options)
 void NetDescent::project_start(int k) {
   const int i = plan_.node[k];
   const NetNode& node = plan_.net.nodes[i];
-  // Bones that the node touches, or lies in.
+  // Find the bones that the node touches or lies in.
   NodeContact& touch = here_.contact[k];
   touch.pressed = touch.touching = 0;
   touch.collapsed = 0;
@@ -38,7 +38,7 @@ void NetDescent::project_start(int k) {
     depth = std::min(depth, gap);
     if (std::abs(gap) <= kLyingGap && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
-  // Moved out of the bones; if this fails it keeps its place.
+  // Move it out of the bones; restore its position if this fails.
   const Vector3d before = here_.x[i];
   if (!project_node(plan_.net, scene_, node, here_.x[i], touch)) {
     here_.x[i] = before;
@@ -48,13 +48,13 @@ void NetDescent::project_start(int k) {
 }
 
 void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* start) {
-  // Nodes with their links, or where the start has them.
+  // Place nodes with their links, or at the given start.
   for (std::size_t i = 0; i < here_.x.size(); ++i) {
     const NetNode& node = plan_.net.nodes[i];
     here_.x[i] = node.free && start ? Vector3d(start->col(static_cast<Eigen::Index>(i)))
                                     : moved(state, node.link, node.p);
   }
-  // Floating nodes come out of the bones.
+  // Move floating nodes out of the bones.
   pushed_out_.clear();
   for (int k = 0; k < rows(); ++k) project_start(k);
   next_.x = here_.x;
@@ -69,15 +69,15 @@ void NetDescent::measure(Place& at) {
 
 NetStatus NetDescent::descend(int patience) {
   definite_ = false;
-  radius_ = kLongest;
+  radius_ = kMaxStep;
   for (iterations_ = 0;; ++iterations_) {
-    // Forces left out of balance, and collapsed nodes that their pull no longer holds.
+    // Compute contact forces and residual; release collapsed nodes that their pull cannot hold.
     balance();
     if (release_from_exit()) {
       measure(here_);
       balance();
     }
-    // Balanced: update the multipliers, then tell a minimum from a saddle.
+    // If balanced, update the multipliers, then distinguish a minimum from a saddle.
     if (residual_ <= options_.tolerance) {
       if (update_multipliers()) {
         measure(here_);
@@ -90,35 +90,35 @@ NetStatus NetDescent::descend(int patience) {
         continue;
       }
     }
-    // Otherwise another Newton step.
+    // Otherwise take a Newton step.
     if (iterations_ >= patience) return NetStatus::kStalled;
     if (leave_saddle_early()) continue;
     if (!direction() || !line_search()) return NetStatus::kStalled;
   }
 }
 
-/// One descent from where the nodes are given.
+/// Descends once from the given nodes.
 NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& drive,
                              const Eigen::Matrix3Xd* start, int patience) {
   scene_ = pose_scene(plan_.net, state, drive);
-  draws_.assign(plan_.bands.size(), 0);
+  collapse_counts_.assign(plan_.bands.size(), 0);
   place(state, start);
   measure(here_);
   return descend(patience);
 }
 
-/// Weak pulls swing a taut net like a linkage, in steps as short as (8 pull L^2 / stiffness)^(1/3):
-/// where that is too slow, the net is first pulled hard, and then ten times less each time.
+/// Descends under strong pulls first, then each time ten times weaker: weak pulls move a taut net
+/// like a linkage, in steps as short as (8 pull L^2 / stiffness)^(1/3), which may be too slow.
 NetStatus NetDescent::load_continuation(const TreeState<double>& state, const NetDrive& drive) {
   const double most = drive.tension.size() > 0 ? drive.tension.maxCoeff() : 0;
-  // Pulls ten times less each time, the last one as asked.
+  // Reduce the pulls tenfold each time, down to the given ones.
   if (!(most > 0) || most > kHardPull) return NetStatus::kStalled;
   const std::vector<int> pushed_out = pushed_out_;
   int spent = iterations_;
   NetStatus status = NetStatus::kStalled;
   for (double times = kHardPull / most; times > 0;
        times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
-    // Start from the nodes of the pull before.
+    // Start from the nodes under the previous pull.
     Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(here_.x.size()));
     for (std::size_t i = 0; i < here_.x.size(); ++i)
       from.col(static_cast<Eigen::Index>(i)) = here_.x[i];
@@ -126,7 +126,7 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
     status = settle(state, {times * drive.tension, drive.length, drive.law}, &from, patience);
     spent += iterations_;
   }
-  // The answer counts all steps and the nodes of the first placement.
+  // Report all steps, and the nodes of the first placement.
   iterations_ = spent;
   pushed_out_ = pushed_out;
   return status;
@@ -135,7 +135,7 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
 NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
                                const Eigen::Matrix3Xd* start) {
   evaluations_ = 0;
-  // Half of the steps directly; then from strong pulls; then the rest of the steps.
+  // Use half of the steps directly; then start from strong pulls; then use the remaining steps.
   NetStatus status = settle(state, drive, start, options_.max_iterations / 2);
   if (status == NetStatus::kStalled && far_side_bands().empty())
     status = load_continuation(state, drive);
@@ -144,22 +144,22 @@ NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& d
   return report(status);
 }
 
-// What presses the nodes of a net on the bones, and what is left out of balance.
+// Contact forces on nodes, and the residual.
 
 namespace {
 
-// Least lift from a bone that doubles can distinguish from none [m]
-constexpr double kNoLift = 1e-11;
-constexpr double kLiftRounding = 1e-17;  // Rounding of a lift [m]
+// Smallest lift from a bone that double precision resolves [m]
+constexpr double kMinLift = 1e-11;
+constexpr double kLiftRounding = 1e-17;  // rounding error of a lift [m]
 
 }  // namespace
 
-/// Returns the force with which bands that bend over a surface hold a node on it, at the least lift
-/// that its place can resolve [N]: their slope along the normal grows as  sqrt(2 lift / radius)
-/// times their tension S, and rounding of the lift by kLiftRounding changes it by S kLiftRounding /
-/// sqrt(2 lift radius).
+/// Computes the force with which bands that bend over a surface hold a node on it, at the smallest
+/// lift that its position resolves [N]: their slope along the normal grows as  sqrt(2 lift /
+/// radius) times their tension S, and rounding of the lift by kLiftRounding changes it by S
+/// kLiftRounding / sqrt(2 lift radius).
 double NetDescent::wrap_slop(int k, int surface) const {
-  // Tensions of the bands that bend over this surface.
+  // Sum the tensions of the bands that bend over this surface.
   double sum = 0;
   for (int b : plan_.wrapping_bands[k]) {
     const NetBand& band = plan_.net.bands[b];
@@ -167,25 +167,24 @@ double NetDescent::wrap_slop(int k, int surface) const {
     const BandState now = band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]);
     if (now.chord.bent) sum += now.pull.tension;
   }
-  // Slop of the lift, at least what rounding makes of it.
+  // Convert them to a force by the lift, or by its rounding if larger.
   const double radius = plan_.net.surfaces[surface].size[0];
-  return sum * std::max(std::sqrt(2 * kNoLift / radius),
+  return sum * std::max(std::sqrt(2 * kMinLift / radius),
                         4 * kLiftRounding * sum / (options_.tolerance * radius));
 }
 
-/// The part along the normal of what bands that bend over a surface pull a node on it with: they
-/// leave along the surface, so all of it is rounding of the node's lift, the same as in here_.E.g
-/// [N].
+/// Computes the normal component of the forces of bands that bend over a surface, on a node on it
+/// [N]: they leave along the surface, so all of it is rounding of the node's lift, as in here_.E.g.
 double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) const {
   double sum = 0;
-  // Bands over this surface, in closed form where they bend.
+  // Sum the bands over this surface, in closed form where they bend.
   for (int b : plan_.wrapping_bands[k]) {
     const NetBand& band = plan_.net.bands[b];
     BandGeometry run;
     if (band.over != surface || scene_.collapsed[b]) continue;
     const WrapState bend = wrap_over(scene_.bone[b], here_.x[band.a], here_.x[band.b], run);
     if (bend == WrapState::kStraight) continue;
-    // A degenerate wrap: by its string.
+    // Use the string of a degenerate wrap.
     if (bend == WrapState::kDegenerate) {
       const WrappedString chord =
           band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]).chord;
@@ -201,42 +200,43 @@ void NetDescent::balance() {
   residual_ = 0;
   for (int k = 0; k < rows(); ++k) {
     NodeContact& c = here_.contact[k];
-    // Normal forces within the tolerance.
+    // Balance the node with normal forces down to minus the tolerance.
     const Vector3d& x = here_.x[plan_.node[k]];
     std::array<double, 3> slop{};
     slop.fill(options_.tolerance);
     const int touching = c.touching;
     balance_node(plan_.net, scene_, x, here_.E.g[k], slop, c);
-    // A node that lets go of a bone may be held by bands that bend over it.
+    // Balance again a node that lifts off but may be held by bands that bend over the bone.
     if (c.pressed < touching && !plan_.wrapping_bands[k].empty()) {
       for (int i = 0; i < touching; ++i) slop[i] += wrap_slop(k, c.surface[i]);
       balance_node(plan_.net, scene_, x, here_.E.g[k], slop, c);
     }
-    residual_ = std::max(residual_, c.left.norm());
+    residual_ = std::max(residual_, c.residual.norm());
   }
 }
 
-// In which direction the nodes of a net go down, by Newton.
+// Newton direction.
 
 using Eigen::Matrix3d;
 
-/// H - sum force curvature, turned so that pressed normals come first, and these pinned.
+/// Builds the reduced Hessian: H - sum force curvature, rotated so that pressed normals come first,
+/// and pinned there.
 void NetDescent::reduce() {
   for (int k = 0; k < rows(); ++k) {
     const NodeContact& c = here_.contact[k];
     Matrix3d& D = reduced_.diagonal[k];
-    // Turned Hessian of the Lagrangian.
-    D = c.Q * (here_.E.H.diagonal[k] - c.bend) * c.Q.transpose();
+    // Rotate the Hessian of the Lagrangian.
+    D = c.Q * (here_.E.H.diagonal[k] - c.curvature) * c.Q.transpose();
     double scale = here_.E.H.diagonal[k].trace();
-    if (scale <= 0) scale = 1, D.setIdentity();  // nothing holds it: it stays
-    // Pinned directions keep a unit row of the same size.
+    if (scale <= 0) scale = 1, D.setIdentity();  // no stiffness: the node stays
+    // Replace pinned directions by a scaled unit row.
     for (int r = 0; r < c.pinned; ++r) {
       D.row(r).setZero();
       D.col(r).setZero();
       D(r, r) = scale;
     }
   }
-  // The same for blocks between two nodes.
+  // Reduce the blocks between two nodes.
   for (int s = 0; s < plan_.pattern.blocks(); ++s) {
     const auto [i, j] = plan_.pattern.rows_of(s);
     Matrix3d& B = reduced_.off[s];
@@ -246,15 +246,15 @@ void NetDescent::reduce() {
   }
 }
 
-/// Solves for the step. @return the longest move of a node [m]
+/// Solves for the step. @return largest move of a node [m]
 double NetDescent::solve_step() {
-  // Forces along the free directions.
+  // Project the forces on the free directions.
   for (int k = 0; k < rows(); ++k) {
     step_[k] = -(here_.contact[k].Q * here_.E.g[k]);
     step_[k].head(here_.contact[k].pinned).setZero();
   }
   factor_.solve(step_);
-  // Back to world axes.
+  // Rotate the step back to world axes.
   double longest = 0;
   for (int k = 0; k < rows(); ++k) {
     step_[k] = here_.contact[k].Q.transpose() * step_[k].eval();
@@ -263,40 +263,40 @@ double NetDescent::solve_step() {
   return longest;
 }
 
-/// Newton's step, shifted where the stiffness is not positive definite or the step leaves the
-/// radius within which the last steps were good.
+/// Computes Newton's step, with a shift where the stiffness is not positive definite or the step
+/// exceeds the trust radius.
 bool NetDescent::direction() {
-  // Factor; semidefinite to rounding is good enough.
+  // Factor the stiffness; accept a semidefinite one to rounding.
   reduce();
   definite_ = factor_.factorise(reduced_, 0);
-  longest_ = std::numeric_limits<double>::infinity();
-  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9))
-    longest_ = solve_step();
-  // Shift the stiffness until the step stays within the radius.
-  for (double shift = 0.1 * residual_ / radius_; longest_ > radius_; shift *= 4) {
+  largest_move_ = std::numeric_limits<double>::infinity();
+  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kStiffnessDistance, 1e-9))
+    largest_move_ = solve_step();
+  // Increase the shift until the step is within the trust radius.
+  for (double shift = 0.1 * residual_ / radius_; largest_move_ > radius_; shift *= 4) {
     if (!(shift < 1e30)) return false;
-    if (factor_.factorise(reduced_, shift)) longest_ = solve_step();
+    if (factor_.factorise(reduced_, shift)) largest_move_ = solve_step();
   }
   return true;
 }
 
-/// Gives the bands that a too long step stretches the secant stiffness over it, slack bands too, so
-/// that the next direction accounts for them.
+/// Adds the secant stiffness over a too long step to the bands that it stretches, slack bands too,
+/// so that the next direction accounts for them.
 /// @return whether there were any
 bool NetDescent::add_secant_stiffness() {
   bool any = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
-    // Tension and length that the step has added.
+    // Compute the increase of tension and length over the step.
     const double more = next_.E.tension[b] - here_.E.tension[b],
                  dL = next_.E.length[b] - here_.E.length[b];
     if (scene_.pull[b] >= 0 || !(more > 0) || !(dL > 0)) continue;
     const BandPlan& at = plan_.bands[b];
     const NetBand& band = plan_.net.bands[b];
-    // Secant stiffness, where it exceeds the tangent one by far.
+    // Use the secant stiffness where it clearly exceeds the tangent one.
     const BandState now = band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]);
     const double k = more / dL - now.pull.stiffness;
     if (!(k > 1e-3 * now.pull.stiffness)) continue;
-    // Rank-one terms in the Hessian.
+    // Add rank-one terms to the Hessian.
     const Vector3d ua = now.chord.slope.head<3>(), ub = now.chord.slope.tail<3>();
     if (at.ka >= 0) here_.E.H.diagonal[at.ka] += k * ua * ua.transpose();
     if (at.kb >= 0) here_.E.H.diagonal[at.kb] += k * ub * ub.transpose();
@@ -307,36 +307,36 @@ bool NetDescent::add_secant_stiffness() {
   return any;
 }
 
-// How far they go.
+// Line search.
 
 namespace {
 
-// Lift over radius below which clasping bands follow the root law [1]
+// Lift over radius below which the force of clasping bands grows as sqrt(lift) [1]
 constexpr double kNearLift = 1e-3;
-// Steps shorter than this may add the secant stiffness of slack bands [m]
+// Step length below which the secant stiffness of slack bands may be added [m]
 constexpr double kKinkStep = 1e-4;
 
 }  // namespace
 
-/// Corrects Newton's step where bands clasp a node. They pull at its lift h as sqrt(h), so the step
-/// dh is taken in sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
+/// Corrects Newton's step where bands clasp a node. Their force grows with its lift h as sqrt(h),
+/// so the step dh is taken in sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
 void NetDescent::lift(int k, Vector3d& there) const {
   const NodeContact& c = here_.contact[k];
   const Vector3d& x = here_.x[plan_.node[k]];
   int before = -1;
-  // One surface after the other, those that press already left out.
+  // Visit each surface once, except those that press already.
   for (int b : plan_.wrapping_bands[k]) {
     const int s = plan_.net.bands[b].over;
     const int* last = c.surface.data() + c.pressed;
     if (s == before || std::find(c.surface.data(), last, s) != last) continue;
     before = s;
-    // Lift of the node, and Newton's step in it.
+    // Compute the lift of the node and its change.
     const double radius = plan_.net.surfaces[s].size[0];
     const SurfaceGap at = gap_world(plan_.net, scene_, s, x);
     if (at.gap > kNearLift * radius) continue;
     const double h = std::max(at.gap, 0.5e-14 * radius), dh = at.normal.dot(there - x);
     if (dh <= -2 * h) continue;
-    // The correction ends where the root law ends.
+    // Limit the correction to the range of the root law.
     const double more = dh * dh / (4 * h), most = kNearLift * radius;
     if (h + dh + more <= most)
       there += more * at.normal;
@@ -345,21 +345,21 @@ void NetDescent::lift(int k, Vector3d& there) const {
   }
 }
 
-/// Moves along the step by `part`, staying outside bones; `slope` is that of E along it [J].
+/// Moves by the fraction `part` of the step, outside bones; `slope` is the linear change of E [J].
 bool NetDescent::try_step(double part, double& slope) {
   slope = 0;
   for (int k = 0; k < rows(); ++k) {
     const int i = plan_.node[k];
-    // Node and contacts at the end of the step.
+    // Move the node.
     next_.contact[k] = here_.contact[k];
     next_.x[i] = here_.x[i] + part * step_[k];
-    // Slope of the energy along the straight step.
+    // Add the energy change along the straight step.
     const double straight = part * here_.E.g[k].dot(step_[k]);
     if (here_.contact[k].collapsed > 0 || plan_.net.nodes[i].surfaces.empty()) {
       slope += straight;
       continue;
     }
-    // Out of the bones; a node that hits one takes another way.
+    // Project it out of the bones; use the actual displacement of a node that hits one.
     if (!plan_.wrapping_bands[k].empty()) lift(k, next_.x[i]);
     if (!project_node(plan_.net, scene_, plan_.net.nodes[i], next_.x[i], next_.contact[k]))
       return false;
@@ -370,11 +370,12 @@ bool NetDescent::try_step(double part, double& slope) {
   return true;
 }
 
-/// Part of the step at which the first band of constant pull passes its exit; 1 if none does.
+/// Computes the fraction of the step at which the first band of constant pull passes its exit; 1 if
+/// none does.
 double NetDescent::step_to_exit() const {
   double part = 1;
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
-    // Bands of constant pull with their ends' relative move.
+    // Compute the relative move of the ends of a band of constant pull.
     if (!(scene_.pull[b] > 0)) continue;
     const BandPlan& at = plan_.bands[b];
     const NetBand& band = plan_.net.bands[b];
@@ -382,16 +383,15 @@ double NetDescent::step_to_exit() const {
     if (at.ka >= 0) move += step_[at.ka];
     if (at.kb >= 0) move -= step_[at.kb];
     const Vector3d d = here_.x[band.a] - here_.x[band.b];
-    if (is_regularised(scene_, static_cast<int>(b), d.norm())) continue;  // it is there
-    // Part of the move at which the length would pass zero.
+    if (is_regularised(scene_, static_cast<int>(b), d.norm())) continue;  // at the exit already
+    // Find the fraction at which the length would pass zero.
     const double way = -d.dot(move), whole = move.squaredNorm();
     if (way > 0 && way < whole && whole > 0.1 * d.squaredNorm()) part = std::min(part, way / whole);
   }
   return part;
 }
 
-/// Returns the largest change of E by rounding of places: tension times the last digits of places
-/// [J].
+/// Estimates the change of E by rounding of node positions [J].
 double NetDescent::rounding() const {
   double reach = 0, sum = 0;
   for (const Vector3d& x : here_.x) reach = std::max(reach, x.norm());
@@ -399,35 +399,39 @@ double NetDescent::rounding() const {
   return 2e-16 * reach * sum + 1e-15 * here_.E.size;
 }
 
-/// Shortens the step until E falls. @return whether it did
+/// Shortens the step until E decreases. @return whether it did
 bool NetDescent::line_search() {
-  // First trial: the whole step, or up to the first exit.
+  // Try the whole step first, or up to the first exit.
   const double noise = rounding();
   const double exit = step_to_exit();
   double part = exit > 1e-3 && exit < 0.9 ? exit : 1;
   bool at_exit = part < 1;
-  int looks = iterations_ % 2 == 0 ? 5 : 0;  // every other time: either way alone may creep
+  int secant_trials = iterations_ % 2 == 0
+                          ? 5
+                          : 0;  // on alternate iterations: either method alone may converge slowly
   for (int tries = 0; tries < 60; ++tries) {
     double slope = 0;
     const bool possible = try_step(part, slope);
-    // Armijo's condition, up to rounding.
+    // Test Armijo's condition, up to rounding.
     if (possible && next_.E.energy <= here_.E.energy + 1e-4 * std::min(slope, 0.0) + noise) {
-      // Radius for the next step.
+      // Accept, and update the trust radius.
       accept();
       if (part < 0.3)
-        radius_ = std::max({2 * part * longest_, 0.1 * std::min(longest_, radius_), 1e-7});
+        radius_ =
+            std::max({2 * part * largest_move_, 0.1 * std::min(largest_move_, radius_), 1e-7});
       else
-        radius_ = std::min(std::max(radius_, 4 * longest_), kLongest);
-      longest_ *= part;
+        radius_ = std::min(std::max(radius_, 4 * largest_move_), kMaxStep);
+      largest_move_ *= part;
       return true;
     }
-    // A long first step: bands that it makes taut get their secant stiffness.
-    if (part == 1 && possible && longest_ < kKinkStep && looks-- > 0 && add_secant_stiffness()) {
+    // Add the secant stiffness of bands that a long first step makes taut.
+    if (part == 1 && possible && largest_move_ < kKinkStep && secant_trials-- > 0 &&
+        add_secant_stiffness()) {
       if (!direction()) return false;
-      definite_ = false;  // of what it was made to be
+      definite_ = false;  // the Hessian is modified
       continue;
     }
-    // Shorten.
+    // Shorten the step.
     part = at_exit ? 1 : 0.5 * part;
     at_exit = false;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Newton's method for the least energy of a net, outside of bones. Derivation:
+/// Newton's method for the energy minimum of a net with nodes outside of bones. Derivation:
 /// docs/theory/extensor_net.md
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace thenar::internal {
 
-/// State and workspace of one solve.
+/// Solver with the state and workspace of one solve.
 class NetDescent {
  public:
   NetDescent(const Net& net, const NetSolverOptions& options);
@@ -21,16 +21,16 @@ class NetDescent {
 
   [[nodiscard]] const NetPlan& plan() const { return plan_; }
 
-  /// Places the nodes, pushes those inside bones out, and descends to equilibrium.
+  /// Places the nodes, moves those inside bones to the surface, and descends to equilibrium.
   [[nodiscard]] NetEquilibrium run(const TreeState<double>& state, const NetDrive& drive,
                                    const Eigen::Matrix3Xd* start);
 
  private:
-  static constexpr double kLongest = 0.02;  // Longest move of a node in one step [m]
-  // A push that exceeds the tolerance only within this is due to stiffness [m]
-  static constexpr double kSoft = 1e-4;
+  static constexpr double kMaxStep = 0.02;  // largest move of a node in one step [m]
+  // Distance within which a force error above the tolerance is attributed to stiffness [m]
+  static constexpr double kStiffnessDistance = 1e-4;
 
-  /// Where the nodes are, and what is known there.
+  /// Node positions with energy and contacts there.
   struct Place {
     explicit Place(const NetPlan& plan)
         : E(plan), x(plan.net.nodes.size()), contact(plan.pattern.size()) {}
@@ -41,7 +41,7 @@ class NetDescent {
 
   [[nodiscard]] int rows() const { return plan_.pattern.size(); }
 
-  // From the start to equilibrium.
+  // Placement of the nodes, and descent to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
   void accept();
@@ -51,7 +51,7 @@ class NetDescent {
                    const Eigen::Matrix3Xd* start, int patience);
   NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
-  // Contact forces on nodes, and what is left out of balance.
+  // Contact forces on nodes, and the residual.
   [[nodiscard]] double wrap_slop(int k, int surface) const;
   [[nodiscard]] double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();
@@ -88,18 +88,18 @@ class NetDescent {
   NetPlan plan_;
   NetSolverOptions options_;
   NetScene scene_;
-  Place here_, next_;  // last accepted, and tried
+  Place here_, next_;  // last accepted state, and trial state
   BlockMatrix reduced_;
   BlockFactor factor_;
-  std::vector<Eigen::Vector3d> step_;  // (rows) [m]
-  std::vector<int> pushed_out_;
-  std::vector<int> draws_;  // how often each band drew its node in
-  double residual_ = 0;     // largest out-of-balance force [N]
-  double radius_ = 0;       // within which steps are good [m]
-  double longest_ = 0;      // move of a node in the last step [m]
-  bool definite_ = false;   // stiffness at the last step
+  std::vector<Eigen::Vector3d> step_;  // Newton step (rows) [m]
+  std::vector<int> pushed_out_;        // nodes that started inside a bone
+  std::vector<int> collapse_counts_;   // number of times that each band collapsed its node
+  double residual_ = 0;                // largest out-of-balance force [N]
+  double radius_ = 0;                  // trust radius of the step [m]
+  double largest_move_ = 0;            // largest move of a node in the last step [m]
+  bool definite_ = false;              // true: the stiffness was positive definite at the last step
   int iterations_ = 0;
-  int evaluations_ = 0;  // of the energy, in all descents of a run
+  int evaluations_ = 0;  // evaluations of the energy, in all descents of a run
 };
 
 }  // namespace thenar::internal

@@ -2,16 +2,14 @@
 
 #include <cmath>
 
-#include "tendons/net/band_course.h"
-
 namespace thenar::internal {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Turns the derivatives and points of a chord from frame S to the world.
-void turn(const Pose<double>& X, WrappedString& chord) {
+/// Transforms the derivatives and points of a chord from frame S to the world.
+void transform_to_world(const Pose<double>& X, WrappedString& chord) {
   for (int i = 0; i < 6; i += 3) {
     chord.slope.segment<3>(i) = X.R * chord.slope.segment<3>(i).eval();
     for (int j = 0; j < 6; j += 3)
@@ -21,26 +19,26 @@ void turn(const Pose<double>& X, WrappedString& chord) {
   chord.touch_b = X * chord.touch_b;
 }
 
-/// d^2 phi / d(end i) d(end j).
+/// Computes d^2 phi / d(end i) d(end j).
 Matrix3d block(const BandState& band, int i, int j) {
   return band.pull.stiffness * band.chord.slope.segment<3>(3 * i) *
              band.chord.slope.segment<3>(3 * j).transpose() +
          band.pull.tension * band.chord.curve.block<3, 3>(3 * i, 3 * j);
 }
 
-/// The run of a is_regularised band, told by a chord whose slope is p / t.
+/// Computes the run of a regularised band as a chord whose slope is p / t.
 WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier, const Vector3d& a,
                             const Vector3d& b) {
-  // Force at the present length, cut off at the pull.
+  // Compute the force at the present length, limited to the pull.
   WrappedString chord = straight_string(a, b);
   const Vector3d d = a - b, w = multiplier + penalty * d;
   const double pull = w.norm();
   const bool in = pull <= t;
   const Vector3d p = in ? w : Vector3d(t / pull * w);
-  // Its derivative: a spring, or a force of constant size that turns.
+  // Compute its derivative: of a spring, or of a force of constant size that turns.
   Matrix3d H = penalty / t * Matrix3d::Identity();
   if (!in) H = penalty / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
-  // As a string, whose gradient times t is the force.
+  // Express it as a string, whose gradient times t is the force.
   chord.slope << p / t, -p / t;
   chord.curve << H, -H, -H, H;
   chord.length =
@@ -48,25 +46,26 @@ WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier
   return chord;
 }
 
-BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
+/// Computes the response of band i at length L.
+BandResponse band_response_of(const Net& net, const NetScene& scene, int i, double L) {
   if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
-  if (scene.law[i]) return scene.law[i]->at(L);
+  if (scene.law[i]) return scene.law[i]->response_at(L);
   return elastic_response(net, net.bands[i], scene.slack[i], L);
 }
 
-/// Stiffness that bands can set against a is_regularised node: sum EA / slack at both ends, and
-/// more.
+/// Computes a penalty stiffness above that of the bands at a regularised node: the sum of EA /
+/// slack at both ends, with a margin.
 double penalty_of(const Net& net, const NetScene& scene, int i) {
   const NetBand& band = net.bands[i];
-  // Twenty times what its own bands can set against it.
-  double against = scene.pull[i] / 1e-5;
+  // Sum twenty times the stiffness of the bands at its ends.
+  double stiffness = scene.pull[i] / 1e-5;
   for (std::size_t j = 0; j < net.bands.size(); ++j) {
     const NetBand& other = net.bands[j];
     const bool meets =
         other.a == band.a || other.a == band.b || other.b == band.a || other.b == band.b;
-    if (meets && scene.pull[j] < 0 && !scene.law[j]) against += 20 * other.EA / scene.slack[j];
+    if (meets && scene.pull[j] < 0 && !scene.law[j]) stiffness += 20 * other.EA / scene.slack[j];
   }
-  return against;
+  return stiffness;
 }
 
 }  // namespace
@@ -89,7 +88,7 @@ NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
 
 NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDrive& drive) {
   NetScene scene = pose_surfaces(net, state);
-  // Geometry and law of each band.
+  // Set geometry and law of each band.
   for (const NetBand& band : net.bands) {
     scene.bone.push_back(
         band.over < 0 ? RoundBone{}
@@ -101,7 +100,7 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
     const bool by_tension = band.muscle >= 0 && !by_length && !scene.law.back();
     scene.pull.push_back(by_tension ? drive.tension(band.muscle) : -1);
   }
-  // Nothing has collapsed yet.
+  // Start with no collapsed node.
   scene.multiplier.assign(net.bands.size(), Vector3d::Zero());
   scene.collapsed.assign(net.bands.size(), false);
   for (int i = 0; i < static_cast<int>(net.bands.size()); ++i)
@@ -113,10 +112,10 @@ WrappedString band_string(const Net& net, const NetScene& scene, int i, const Ve
                           const Vector3d& b) {
   const NetBand& band = net.bands[i];
   if (band.over < 0) return straight_string(a, b);
-  // Solved in the surface's frame.
+  // Wrap the string in the surface's frame.
   const Pose<double> X = scene.surface[band.over], back = X.inverse();
   WrappedString chord = wrap_string(net.surfaces[band.over], back * a, back * b, band.side);
-  turn(X, chord);
+  transform_to_world(X, chord);
   return chord;
 }
 
@@ -125,46 +124,48 @@ BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3
   BandState out{band_string(net, scene, i, a, b), {}};
   if (!out.chord.bent && is_regularised(scene, i, out.chord.length))
     out.chord = penalty_chord(scene.pull[i], scene.penalty[i], scene.multiplier[i], a, b);
-  out.pull = law(net, scene, i, out.chord.length);
+  out.pull = band_response_of(net, scene, i, out.chord.length);
   return out;
 }
 
 namespace {
 
-/// A += c u v'
-inline void add(Matrix3d& A, double c, const Vector3d& u, const Vector3d& v) {
+/// Adds  c u v'  to A.
+inline void add_outer(Matrix3d& A, double c, const Vector3d& u, const Vector3d& v) {
   for (int j = 0; j < 3; ++j) {
     const double w = c * v(j);
     for (int i = 0; i < 3; ++i) A(i, j) += w * u(i);
   }
 }
 
+/// Adds a band that bends over a bone.
 void add_bent(const BandPlan& at, const BandGeometry& run, double T, double k, NetEnergy& out) {
   if (at.ka >= 0) {
     out.g[at.ka] += T * run.ua;
     Matrix3d& H = out.H.diagonal[at.ka];
-    add(H, k, run.ua, run.ua);
-    add(H, T * run.vaa, run.va, run.va);
-    add(H, T * run.wa, run.na, run.na);
+    add_outer(H, k, run.ua, run.ua);
+    add_outer(H, T * run.vaa, run.va, run.va);
+    add_outer(H, T * run.wa, run.na, run.na);
   }
   if (at.kb >= 0) {
     out.g[at.kb] += T * run.ub;
     Matrix3d& H = out.H.diagonal[at.kb];
-    add(H, k, run.ub, run.ub);
-    add(H, T * run.vbb, run.vb, run.vb);
-    add(H, T * run.wb, run.nb, run.nb);
+    add_outer(H, k, run.ub, run.ub);
+    add_outer(H, T * run.vbb, run.vb, run.vb);
+    add_outer(H, T * run.wb, run.nb, run.nb);
   }
   if (at.slot < 0) return;
   Matrix3d& H = out.H.off[at.slot];
-  add(H, k, at.flip ? run.ub : run.ua, at.flip ? run.ua : run.ub);
-  add(H, T * run.vab, at.flip ? run.vb : run.va, at.flip ? run.va : run.vb);
+  add_outer(H, k, at.flip ? run.ub : run.ua, at.flip ? run.ua : run.ub);
+  add_outer(H, T * run.vab, at.flip ? run.vb : run.va, at.flip ? run.va : run.vb);
 }
 
+/// Adds a straight band.
 void add_straight(const BandPlan& at, const Vector3d& u, double T, double k, double L,
                   NetEnergy& out) {
   const double across = T / L;
   Matrix3d K = Matrix3d::Zero();
-  add(K, k - across, u, u);
+  add_outer(K, k - across, u, u);
   for (int i = 0; i < 3; ++i) K(i, i) += across;
   if (at.ka >= 0) {
     out.g[at.ka] += T * u;
@@ -177,8 +178,8 @@ void add_straight(const BandPlan& at, const Vector3d& u, double T, double k, dou
   if (at.slot >= 0) out.H.off[at.slot] -= K;
 }
 
-/// Bands of no length, is_regularised ones, ends inside a bone.
-void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
+/// Adds bands of zero length, regularised bands, and bands with an end inside a bone.
+void add_degenerate(const BandPlan& at, const BandState& now, NetEnergy& out) {
   if (at.ka >= 0) {
     out.g[at.ka] += now.pull.tension * now.chord.slope.head<3>();
     out.H.diagonal[at.ka] += block(now, 0, 0);
@@ -190,29 +191,29 @@ void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
   if (at.slot >= 0) out.H.off[at.slot] += at.flip ? block(now, 1, 0) : block(now, 0, 1);
 }
 
-/// Adds band i and returns its pull.
+/// Adds band i and returns its response.
 BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
                       const Vector3d& b, NetEnergy& out) {
   BandGeometry run;
-  // Over a bone, in closed form.
+  // Add a band over a bone in closed form.
   const WrapState bend =
       plan.net.bands[i].over < 0 ? WrapState::kStraight : wrap_over(scene.bone[i], a, b, run);
   if (bend == WrapState::kBent) {
-    const BandResponse pull = law(plan.net, scene, i, run.length);
+    const BandResponse pull = band_response_of(plan.net, scene, i, run.length);
     out.length[i] = run.length;
     if (pull.tension > 0) add_bent(plan.bands[i], run, pull.tension, pull.stiffness, out);
     return pull;
   }
-  // Straight bands; degenerate ones by their strings.
+  // Add straight bands; degenerate ones by their strings.
   const Vector3d d = a - b;
   const double L = d.norm();
   if (bend == WrapState::kDegenerate || L == 0 || is_regularised(scene, i, L)) {
     const BandState now = band_state(plan.net, scene, i, a, b);
     out.length[i] = now.chord.bent ? now.chord.length : L;
-    add_odd(plan.bands[i], now, out);
+    add_degenerate(plan.bands[i], now, out);
     return now.pull;
   }
-  const BandResponse pull = law(plan.net, scene, i, L);
+  const BandResponse pull = band_response_of(plan.net, scene, i, L);
   out.length[i] = L;
   if (pull.tension > 0) add_straight(plan.bands[i], d / L, pull.tension, pull.stiffness, L, out);
   return pull;
@@ -222,7 +223,7 @@ BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const V
 
 void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vector3d>& x,
               NetEnergy& out) {
-  // Energy, gradient and Hessian start from zero.
+  // Reset energy, gradient and Hessian, then add all bands.
   out.energy = out.size = 0;
   for (Vector3d& g : out.g) g.setZero();
   for (Matrix3d& H : out.H.diagonal) H.setZero();
@@ -239,7 +240,7 @@ void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vect
 
 namespace {
 
-/// Numbers of the free nodes, in file order; -1 for others.
+/// Numbers the free nodes, in file order; -1 for others.
 std::vector<int> number_free(const Net& net) {
   std::vector<int> number;
   int next = 0;
@@ -247,8 +248,9 @@ std::vector<int> number_free(const Net& net) {
   return number;
 }
 
+/// Builds the sparsity pattern of the stiffness matrix.
 BlockPattern pattern_of(const Net& net) {
-  // Free nodes and the bands between them.
+  // Collect the free nodes and the bands between them.
   const std::vector<int> number = number_free(net);
   std::vector<std::pair<int, int>> edges;
   int free = 0;
@@ -259,6 +261,7 @@ BlockPattern pattern_of(const Net& net) {
   return {free, edges};
 }
 
+/// Checks a net and returns it.
 const Net& checked(const Net& net) {
   check_net(net);
   return net;
@@ -267,7 +270,7 @@ const Net& checked(const Net& net) {
 }  // namespace
 
 NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net)) {
-  // Free nodes in elimination order.
+  // Put the free nodes into elimination order.
   row = number_free(net);
   node.resize(pattern.size());
   for (int i = 0; i < static_cast<int>(row.size()); ++i)
@@ -275,7 +278,7 @@ NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net
       row[i] = pattern.place(row[i]);
       node[row[i]] = i;
     }
-  // Blocks of each band, and bands that wrap at each node.
+  // Find the blocks of each band, and the bands that wrap at each node.
   wrapping_bands.resize(node.size());
   for (const NetBand& band : net.bands) {
     BandPlan plan{row[band.a], row[band.b], -1, row[band.a] < row[band.b]};

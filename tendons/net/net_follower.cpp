@@ -15,15 +15,16 @@ using Eigen::Map;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Largest residual of a net that has a torque, over its largest pull [1].
-constexpr double kOutOfBalance = 1e-6;
+/// Largest residual of a net with a valid torque, over its largest pull [1].
+constexpr double kMaxResidualRatio = 1e-6;
 
+/// Returns whether an equilibrium is balanced, at least to kMaxResidualRatio.
 bool is_balanced(const Net& net, const NetEquilibrium& rest) {
   if (rest.status != NetStatus::kStalled && rest.status != NetStatus::kFarSideWrap) return true;
   double largest = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0) largest = std::max(largest, rest.tension[b]);
-  return rest.residual <= kOutOfBalance * largest;
+  return rest.residual <= kMaxResidualRatio * largest;
 }
 
 }  // namespace
@@ -44,21 +45,21 @@ NetFollower::NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here
       options_(follower_options()),
       known_(true),
       here_(std::move(here)),
-      // The same net, with the last digits that its tendons ask for.
+      // refined under the loads of its tendons
       rest_(pull_->rest(here_, rest.x)) {
   find_slopes();
 }
 
 void NetFollower::reach(const PostureAndLoad& to) {
   if (asked_.q.size() > 0 && asked_.q == to.q && asked_.load == to.load) return;
-  asked_ = {};  // if the search throws
+  asked_ = {};  // cleared in case the search throws
   reached_ = way_to(to);
   asked_ = to;
 }
 
 NetContinuation NetFollower::way_to(const PostureAndLoad& to) const {
   if (!known_) return follow_from_straight(tendons_, to.q, to.load);
-  // One search from where slopes say suffices for short steps.
+  // Try one search from the prediction, enough for short steps.
   long spent = 0;
   if (by_posture_.size() > 0) {
     const VectorXd move = by_posture_ * (to.q - here_.q) + by_load_ * (to.load - here_.load);
@@ -72,13 +73,13 @@ NetContinuation NetFollower::way_to(const PostureAndLoad& to) const {
     }
     spent = next.evaluations;
   }
-  // Otherwise in shorter ones.
+  // Otherwise follow the net in shorter steps.
   NetContinuation way = follow_net(*pull_, rest_, here_, to, options_);
   way.effort += spent;
   return way;
 }
 
-TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {
+TendonTorque NetFollower::torque_at(const VectorXd& q, const VectorXd& load) {
   reach({q, load});
   TendonTorque pull;
   const Net& net = tendons_.net().net;
@@ -87,8 +88,9 @@ TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {
   } else {
     const TreeState<double> state = pose_tree(tendons_.digit().model.tree, q);
     const std::string why = net_warning(net, state, reached_.rest);
-    pull = no_torque(q.size(), load.size(),
-                     why.empty() ? fmt::format("net '{}' moves too far in a step", net.name) : why);
+    pull = infinite_torque(
+        q.size(), load.size(),
+        why.empty() ? fmt::format("net '{}' moves too far in a step", net.name) : why);
   }
   pull.effort = reached_.effort;
   return pull;
@@ -98,7 +100,7 @@ NetStep NetFollower::accept(const VectorXd& q, const VectorXd& load) {
   reach({q, load});
   NetStep step;
   if (known_) {
-    // From here to the first snap, from snap to snap, and on to there.
+    // Sum the unexplained energy from here to the first snap, between snaps, and to the end.
     const VectorXd turn = q - here_.q, more = load - here_.load;
     const auto at = [&](double share) -> PostureAndLoad {
       return {here_.q + share * turn, here_.load + share * more};
@@ -126,11 +128,11 @@ EndSlopes NetFollower::slopes(const VectorXd& q, const VectorXd& load) {
   return pull_->slopes({q, load}, reached_.rest);
 }
 
-/// Change of the potential between two states less what its slopes say, by the trapezoid between
-/// them; where that leaves more than `kRoundedEnergy`, by Simpson's rule.
+/// Computes the change of the potential between two states less the integral of its gradient, by
+/// the trapezoidal rule; where that leaves more than `kRoundedEnergy`, by Simpson's rule.
 double NetFollower::unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                 const PostureAndLoad& to, const NetEquilibrium& there) const {
-  constexpr double kRoundedEnergy = 1e-11;  // Difference of energies that rounding explains [J]
+  constexpr double kRoundedEnergy = 1e-11;  // energy difference explained by rounding [J]
   const VectorXd turn = to.q - from.q, load = to.load - from.load;
   const auto rate = [&](const NetPotential& at) { return at.by_load.dot(load) - at.tau.dot(turn); };
   const NetPotential first = pull_->potential(from, rest), last = pull_->potential(to, there);
@@ -149,20 +151,20 @@ void NetFollower::find_slopes() {
   const TreeState<double> state = pose_tree(tree, here_.q);
   const internal::TangentNet tangent(net, state, pull_->drive(here_), rest_);
   const PullRates by = pull_->rates(here_, rest_);
-  // One column a joint.
+  // Compute one column per joint.
   by_posture_.resize(rest_.x.size(), here_.q.size());
   for (Index j = 0; j < here_.q.size(); ++j) {
     internal::NetPerturbation input =
         internal::joint_perturbation(net, tree, state, static_cast<int>(j));
-    internal::tighten(net, by.by_posture.col(j), input);
+    internal::add_pull_rates(net, by.by_posture.col(j), input);
     const Matrix3Xd v = internal::node_rates(tangent, input);
     by_posture_.col(j) = Map<const VectorXd>(v.data(), v.size());
   }
-  // One column a pull, then what loads do to these.
+  // Compute one column per pull, then convert to loads.
   Eigen::MatrixXd by_pull(rest_.x.size(), static_cast<Index>(net.muscles.size()));
   for (Index m = 0; m < by_pull.cols(); ++m) {
-    internal::NetPerturbation input = internal::still(net, tree.size());
-    internal::tighten(net, VectorXd::Unit(by_pull.cols(), m), input);
+    internal::NetPerturbation input = internal::zero_perturbation(net, tree.size());
+    internal::add_pull_rates(net, VectorXd::Unit(by_pull.cols(), m), input);
     const Matrix3Xd v = internal::node_rates(tangent, input);
     by_pull.col(m) = Map<const VectorXd>(v.data(), v.size());
   }

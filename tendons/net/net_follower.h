@@ -1,6 +1,6 @@
 #pragma once
 
-/// A net in motion, found at any state by way of the one that was accepted last.
+/// Net in motion, followed from the last accepted state.
 
 #include <memory>
 
@@ -8,23 +8,23 @@
 
 namespace thenar {
 
-/// Returns the options with which a net is followed in one step of a motion.
+/// Returns the options for following a net in one step of a motion.
 [[nodiscard]] NetContinuationOptions follower_options();
 
-/// Follows a net from its last accepted state, from which knots move with  x + dx/dq dq + dx/dp dp,
-/// p the load. If a knot is found further than NetContinuationOptions::stray from this prediction,
-/// the net is followed in shorter steps; a knot that still strays has snapped. So the net has a
-/// memory, and its equilibrium does not depend on trials.
+/// Follows a net from its last accepted state, from which nodes are predicted by  x + dx/dq dq +
+/// dx/dp dp,  p the load. If a node is farther than NetContinuationOptions::stray from this
+/// prediction, the net is followed in shorter steps; a node that still strays has snapped. So the
+/// equilibrium depends on the accepted states only, not on trials.
 class NetFollower : public TendonFollower {
  public:
-  /// @param tendons  must outlive it
+  /// Follows under given tensions. @param tendons  must outlive this object
   explicit NetFollower(const NetTendons& tendons,
                        const NetContinuationOptions& options = follower_options());
 
-  /// Follows from a rest under muscles on tendons, whose ends are the loads.
+  /// Follows from an equilibrium under muscles on elastic tendons, whose far ends are the loads.
   NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here, const NetEquilibrium& rest);
 
-  TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
+  TendonTorque torque_at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
   [[nodiscard]] bool snapped() const override { return known_ && !reached_.snaps.empty(); }
   NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
   [[nodiscard]] EndSlopes slopes(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
@@ -40,11 +40,12 @@ class NetFollower : public TendonFollower {
   const NetTendons& tendons_;
   NetContinuationOptions options_;
   bool known_ = false;
-  PostureAndLoad here_;                   // accepted
-  NetEquilibrium rest_;                   // there
-  Eigen::MatrixXd by_posture_, by_load_;  // of all nodes there, stacked; empty: no slopes
-  PostureAndLoad asked_;                  // last trial
-  NetContinuation reached_;               // there
+  PostureAndLoad here_;  // accepted state
+  NetEquilibrium rest_;  // equilibrium at the accepted state
+  Eigen::MatrixXd by_posture_,
+      by_load_;              // derivatives of all nodes there, stacked; empty: not differentiable
+  PostureAndLoad asked_;     // last trial state
+  NetContinuation reached_;  // equilibrium at the trial state
 };
 
 }  // namespace thenar

@@ -8,34 +8,37 @@
 
 namespace thenar {
 
-/// Friction at a node pressed on a bone.
+/// Friction at a node in contact with a bone.
 struct NodeFriction {
   int node;
-  bool sticks;            // where it started
-  double normal;          // force of the bone, >= 0 [N]
-  Eigen::Vector3d force;  // of the bone on the node, along the surface; not larger than friction
-                          // times `normal`, and equal to it against the slip if it slips [N] (3)
-  double slip;            // distance from where it started [m]
+  bool sticks;            // true: the node stays where it started
+  double normal;          // normal force of the bone, >= 0 [N]
+  Eigen::Vector3d force;  // tangential force of the bone on the node: at most friction times
+                          // `normal`; equal to it and against the slip if the node slips [N] (3)
+  double slip;            // distance from its start [m]
 };
 
+/// Options of solve_net_friction().
 struct NetFrictionOptions {
   NetSolverOptions solver;
   double tolerance = 1e-9;   // largest change of a friction force in the last round [N]
   int max_iterations = 200;  // rounds
 };
 
+/// Equilibrium of a net with friction.
 struct [[nodiscard]] NetFrictionRest {
   bool settled = false;  // read this first: forces of friction and of the net agree
-  double change = 0;     // of a friction force in the last round [N]
+  double change = 0;     // largest change of a friction force in the last round [N]
   int iterations = 0;    // rounds
-  NetEquilibrium rest;   // of the given net; its status, residual and contacts, sticking nodes too
-  std::vector<NodeFriction> nodes;  // nodes that are pressed on a bone
+  NetEquilibrium rest;   // equilibrium of the given net: status, residual and contacts, those of
+                         // sticking nodes included
+  std::vector<NodeFriction> nodes;  // nodes in contact with a bone
 };
 
-/// Equilibrium of a net with friction that lay at `start` without slipping: one step of incremental
-/// Coulomb friction,
+/// Solves for the equilibrium of a net with friction that was at `start` without slipping: one step
+/// of incremental Coulomb friction,
 ///   |f| <= mu N  where a node stays,   f = -mu N s / |s|  along the surface where it slips by s.
-/// A node that sticks is held; one that slips is pulled to where it started by a band of constant
+/// A sticking node is held; a slipping one is pulled towards its start by a band of constant
 /// tension. Rounds repeat until normal forces and these tensions agree.
 /// The slip of a step should be small compared with the radius of the bone: it is taken as
 /// straight. Derivation: docs/theory/net_friction.md.

@@ -15,21 +15,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Length of a band over its exit,  sqrt(L^2 + kExitRadius^2),  and its slope by L.
+/// Length of a band through its exit,  sqrt(L^2 + kExitRadius^2),  and its derivative by L.
 struct OverExit {
   explicit OverExit(double L) : length(std::hypot(L, kExitRadius)), slope(L / length) {}
   double length, slope;
 };
 
-/// A band that carries a share of the tension of a tendon.
+/// Law of a band that carries a share of the tension of a tendon.
 class ShareOfTendon : public TensionLaw {
  public:
-  /// @param beyond  length of the tendon less the band's share of it [m]
+  /// Refers to the tendon. @param beyond  length of the tendon less the band's share of it [m]
   ShareOfTendon(std::shared_ptr<const TensionLaw> tendon, double share, double beyond)
       : tendon_(std::move(tendon)), share_(share), beyond_(beyond) {}
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const OverExit over(length);
-    const BandResponse whole = tendon_->at(share_ * over.length + beyond_);
+    const BandResponse whole = tendon_->response_at(share_ * over.length + beyond_);
     const double slope = share_ * over.slope, turn = 1 - over.slope * over.slope;
     return {whole.energy, slope * whole.tension,
             slope * slope * whole.stiffness + share_ * whole.tension * turn / over.length};
@@ -40,7 +40,7 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// Returns the length that exits add to the lines of their muscles [m] (muscles).
+/// Computes the excess length of muscle lines at exits [m] (muscles).
 VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
   const VectorXd band = muscle_band_length(tendons.net().net, rest);
   const VectorXd more = band.unaryExpr([](double L) { return OverExit(L).length - L; });
@@ -49,7 +49,7 @@ VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) 
 
 }  // namespace
 
-TendonTorque no_torque(Index joints, Index muscles, std::string why) {
+TendonTorque infinite_torque(Index joints, Index muscles, std::string why) {
   TendonTorque pull;
   pull.tau = VectorXd::Constant(joints, HUGE_VAL);
   pull.R = MatrixXd::Zero(muscles, joints);
@@ -77,24 +77,25 @@ NetPotential PullByTension::potential(const PostureAndLoad& at, const NetEquilib
 }
 
 TendonTorque PullByTension::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
-  return tendons().torque_at_rest(at.q, at.load, std::move(rest));
+  return tendons().torque_at_equilibrium(at.q, at.load, std::move(rest));
 }
 
 bool PullByTension::pulls(const VectorXd& load) const {
-  constexpr double kSlackTension = 1e-6;  // Muscles with less tension do not pull the net [N]
+  constexpr double kSlackTension = 1e-6;  // tension below which a muscle does not pull the net [N]
   const VectorXd drive = tendons().drive(load);
   return drive.size() > 0 && drive.maxCoeff() > kSlackTension;
 }
 
-double PullByTension::least_change(const VectorXd& from, const VectorXd& to, double share) const {
-  constexpr double kLittleTension = 1e-3;  // Least tension of which a change counts as a share [N]
-  double most = kLittleTension;
+double PullByTension::min_change(const VectorXd& from, const VectorXd& to, double share) const {
+  constexpr double kMinReferenceTension =
+      1e-3;  // smallest reference tension of a relative change [N]
+  double most = kMinReferenceTension;
   if (from.size() > 0) most = std::max({most, from.maxCoeff(), to.maxCoeff()});
   return share * most;
 }
 
 bool pulls_one_band_each(const NetTendons& tendons) {
-  // Bands of each pull, and pulls of each muscle.
+  // Count bands of each pull, and pulls of each muscle.
   const Net& net = tendons.net().net;
   VectorXd bands = VectorXd::Zero(static_cast<Index>(net.muscles.size()));
   for (const NetBand& band : net.bands)
@@ -139,7 +140,7 @@ NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
 
 PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
                                                 const NetEquilibrium& rest) const {
-  // Lines, in the net over their exits.
+  // Compute the lines, in the net through their exits.
   Stretched now;
   now.length = line_offsets(at.q);
   const VectorXd band = muscle_band_length(tendons().net().net, rest);
@@ -150,11 +151,11 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
     now.length[pull.muscle] += pull.share * over.length;
     now.exit_slope[p] = over.slope;
   }
-  // Tendons by their laws.
+  // Evaluate the tendons by their laws.
   now.tension.resize(now.length.size());
   now.stiffness.resize(now.length.size());
   for (Index m = 0; m < now.length.size(); ++m) {
-    const BandResponse tendon = laws_[m]->at(now.length[m] - at.load[m]);
+    const BandResponse tendon = laws_[m]->response_at(now.length[m] - at.load[m]);
     now.energy += tendon.energy;
     now.tension[m] = tendon.tension;
     now.stiffness[m] = tendon.stiffness;
@@ -163,7 +164,7 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
 }
 
 PullRates PullByTendon::rates_of(const Stretched& now, const MatrixXd& R) const {
-  // A pull rises by share stiffness (dL - dp) of what runs outside of the net.
+  // Compute the rate of each pull: share stiffness (dL - dp) of the line outside the net.
   const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
   const auto count = static_cast<Index>(pulls.size());
   PullRates out{MatrixXd::Zero(count, R.cols()), MatrixXd::Zero(count, R.rows())};
@@ -182,8 +183,8 @@ PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& re
 }
 
 std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
-  constexpr double kPullShare = 0.01;  // Largest share of a pull that a net may miss [1]
-  constexpr double kPullError = 0.05;  // Largest force that a net may miss [N]
+  constexpr double kPullShare = 0.01;  // largest fraction of a pull that a net may miss [1]
+  constexpr double kPullError = 0.05;  // largest force that a net may miss [N]
   const NetTendons& all = tendons();
   std::vector<int> bands;
   for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {
@@ -200,10 +201,11 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
   Stretched now = stretched(at, rest);
   if (!now.finite())
-    return no_torque(at.q.size(), at.load.size(), "a tendon is stretched beyond all bounds");
-  TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
-  // Knots that the net does not hold.
-  if (const std::string drawn = drawn_in(tendons().net().net, drawn_bands(now)); !drawn.empty()) {
+    return infinite_torque(at.q.size(), at.load.size(), "a tendon is stretched beyond all bounds");
+  TendonTorque pull = tendons().torque_without_net_arms(at.q, now.tension, std::move(rest));
+  // Report nodes that the net does not hold.
+  if (const std::string drawn = drawn_band_names(tendons().net().net, drawn_bands(now));
+      !drawn.empty()) {
     pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);
     add_warning(drawn, pull);
   }
@@ -220,8 +222,8 @@ NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibr
           tendons().torque(at.q, now.tension, rest), -now.tension};
 }
 
-double PullByTendon::least_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
-                                  double /*share*/) const {
+double PullByTendon::min_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
+                                double /*share*/) const {
   return 1e-7;  // 0.02 N of a tendon of 2e5 N/m [m]
 }
 
@@ -229,14 +231,14 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
   const Net& net = tendons().net().net;
   const TendonModel<double>& model = tendons().digit().model;
   const Index joints = at.q.size(), muscles = at.load.size();
-  // Tendons outside of the net.
+  // Compute the derivatives of tendons outside the net.
   const Stretched now = stretched(at, rest);
   const MatrixXd R = arms_outside(at.q);
   EndSlopes out;
   out.torque_by_posture = tendons().torque_by_posture_outside(at.q, now.tension);
   out.length_by_posture = -R;
   out.length_by_end = MatrixXd::Zero(muscles, muscles);
-  // The net, by one joint or end at a time.
+  // Add the net, one joint or tendon end at a time.
   if (why_not_differentiable(net, rest).empty()) {
     const TreeState<double> state = pose_tree(model.tree, at.q);
     const internal::TangentNet tangent(net, state, drive(at), rest);
@@ -255,19 +257,19 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
     for (Index j = 0; j < joints; ++j) {
       internal::NetPerturbation input =
           internal::joint_perturbation(net, model.tree, state, static_cast<int>(j));
-      internal::tighten(net, rate.by_posture.col(j), input);
+      internal::add_pull_rates(net, rate.by_posture.col(j), input);
       const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
       out.torque_by_posture.col(j) +=
           internal::torque_rate(tangent, model.tree, state, input, v, model.coordinates);
       out.length_by_posture.col(j) += length_rates(input, v);
     }
     for (Index m = 0; m < muscles; ++m) {
-      internal::NetPerturbation input = internal::still(net, model.tree.size());
-      internal::tighten(net, rate.by_load.col(m), input);
+      internal::NetPerturbation input = internal::zero_perturbation(net, model.tree.size());
+      internal::add_pull_rates(net, rate.by_load.col(m), input);
       out.length_by_end.col(m) = length_rates(input, internal::node_rates(tangent, input));
     }
   }
-  // Tensions by the laws; torques by ends as tensions by postures, since both are second
+  // Apply the tendon laws; torques by ends equal tensions by posture, since both are second
   // derivatives of one energy.
   out.tension_by_posture = now.stiffness.asDiagonal() * out.length_by_posture;
   out.tension_by_end =

@@ -11,8 +11,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The rest that a search from scratch finds.
-NetContinuation rest_found(const NetTendons& tendons, const VectorXd& q, const VectorXd& t) {
+/// Solves for an equilibrium without a start.
+NetContinuation solve_without_start(const NetTendons& tendons, const VectorXd& q,
+                                    const VectorXd& t) {
   NetContinuation found;
   found.rest = tendons.rest(q, t, {});
   found.solves = 1;
@@ -20,10 +21,10 @@ NetContinuation rest_found(const NetTendons& tendons, const VectorXd& q, const V
   return found;
 }
 
-/// Follows a net through postures and loads in turn, from its rest at the first of them.
+/// Follows a net through postures and loads in turn, from its equilibrium at the first of them.
 NetContinuation follow_ways(const NetTendons& tendons, const std::vector<PostureAndLoad>& places,
                             const NetContinuationOptions& options) {
-  NetContinuation walk = rest_found(tendons, places.front().q, places.front().load);
+  NetContinuation walk = solve_without_start(tendons, places.front().q, places.front().load);
   for (std::size_t i = 1; i < places.size(); ++i) {
     NetContinuation leg = follow_net(tendons, walk.rest, places[i - 1], places[i], options);
     walk.rest = std::move(leg.rest);
@@ -48,7 +49,8 @@ std::vector<PostureAndLoad> joint_by_joint(const VectorXd& straight, const Vecto
   return places;
 }
 
-/// Under an even pull of all muscles of the net, which takes its place as the last thing.
+/// Returns the way under an even pull of all muscles of the net, with the given tensions at its
+/// end.
 std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const VectorXd& straight,
                                             const VectorXd& q, const VectorXd& t) {
   VectorXd even = t;
@@ -61,13 +63,13 @@ std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const Vec
 
 NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const VectorXd& t,
                             NetContinuation found, const NetContinuationOptions& options) {
-  // Most solves on one leg of a path; a course that needs more is rejected
-  constexpr int kMostSolves = 100;
+  // Solves on one leg of a way; a way that needs more is rejected
+  constexpr int kMaxLegSolves = 100;
   const VectorXd& straight = tendons.net().frame.straight;
   NetContinuationOptions quick = options;
-  quick.max_solves = std::min(options.max_solves, kMostSolves);
+  quick.max_solves = std::min(options.max_solves, kMaxLegSolves);
   const std::vector<std::function<NetContinuation()>> ways{
-      [&] { return rest_found(tendons, q, t); },
+      [&] { return solve_without_start(tendons, q, t); },
       [&] { return follow_ways(tendons, under_even_load(tendons, straight, q, t), quick); },
       [&] {
         return follow_ways(tendons, joint_by_joint(straight, q, t, BendOrder::kFromTip), quick);
@@ -80,7 +82,7 @@ NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const 
     found.solves += other.solves;
     found.effort += other.effort;
     if (!is_sound(other.rest)) continue;
-    // It is not on the straight way: the net has jumped there, at its end.
+    // Record a snap at the end, since the equilibrium is not on the straight way.
     if (found.snaps.empty()) {
       NetJump jump;
       jump.from = 1;

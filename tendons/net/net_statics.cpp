@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Moments and forces on all links, the base first.
+/// Wrenches on all links, the base first.
 struct LinkWrenches {
   explicit LinkWrenches(std::size_t links) : touched(links + 1, false), on(links + 1) {
     for (LinkWrench& w : on) w.link = static_cast<int>(&w - on.data()) - 1;
@@ -23,10 +23,11 @@ struct LinkWrenches {
   std::vector<LinkWrench> on;
 };
 
+/// Sums the wrenches of bands and contacts on all links.
 LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest) {
   LinkWrenches all(state.size());
   const internal::NetScene scene = internal::pose_surfaces(net, state);
-  // Each band pulls at its fixed ends.
+  // Add the pull of each band at its fixed ends.
   for (std::size_t i = 0; i < net.bands.size(); ++i) {
     const NetBand& band = net.bands[i];
     const Vector3d a = rest.x.col(band.a), b = rest.x.col(band.b);
@@ -39,12 +40,12 @@ LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetE
     const Vector3d fb = held ? Vector3d(-fa) : Vector3d(-t * chord.slope.tail<3>());
     if (!net.nodes[band.a].free) all.add(net.nodes[band.a].link, a, fa);
     if (!net.nodes[band.b].free) all.add(net.nodes[band.b].link, b, fb);
-    // A bent band presses on its bone: the sum of its two pulls.
+    // Add the pressure of a bent band on its bone: the sum of its two pulls.
     if (!chord.bent || held) continue;
     all.add(net.surfaces[band.over].link, a, -fa);
     all.add(net.surfaces[band.over].link, b, -fb);
   }
-  // Nodes press on their bones.
+  // Add the forces of nodes on their bones.
   for (const NetContact& c : rest.contacts)
     all.add(net.surfaces[c.surface].link, rest.x.col(c.node), -c.force * c.normal);
   return all;

@@ -12,17 +12,17 @@
 
 namespace thenar {
 
-/// Joint torque of the net by virtual work,  tau = -dE/dq  at fixed floating nodes; muscles'
-/// tension and contacts included [N m] (coordinates).
+/// Computes the joint torque of the net by virtual work,  tau = -dE/dq  at fixed floating nodes;
+/// muscle tensions and contacts included [N m] (coordinates).
 [[nodiscard]] Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree,
                                          const TreeState<double>& state, const NetEquilibrium& rest,
                                          int coordinates);
 
-/// Energy stored in the passive bands [J]; muscles' bands store none.
+/// Computes the energy stored in the passive bands [J]; bands of muscles store none.
 [[nodiscard]] double strain_energy(const Net& net, const NetEquilibrium& rest);
 
-/// Wrenches on all links that the net touches, the base included. They sum to zero up to the exits
-/// of muscles given by tension, whose bodies are links as well.
+/// Computes the wrenches on all links that the net touches, the base included. They sum to zero
+/// except for the forces on the exits of muscles given by tension, whose bodies are links as well.
 [[nodiscard]] std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
                                                    const NetEquilibrium& rest);
 

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_follower.h"
 #include "tendons/net/net_pull.h"
@@ -20,19 +19,21 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Sums the tensions of some bands.
 double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
   double sum = 0;
   for (int b : bands) sum += tension[b];
   return sum;
 }
 
+/// Returns the indices of collapsed bands.
 std::vector<int> collapsed_bands(const NetEquilibrium& rest) {
   std::vector<int> bands;
   for (const CollapsedBand& collapsed : rest.collapsed) bands.push_back(collapsed.band);
   return bands;
 }
 
-/// The band that bears most of those that bear too much.
+/// Describes the overstrained band with the largest tension.
 std::string overstrained(const Net& net, const NetEquilibrium& rest) {
   const int worst =
       *std::max_element(rest.overstrained.begin(), rest.overstrained.end(),
@@ -47,15 +48,14 @@ std::string overstrained(const Net& net, const NetEquilibrium& rest) {
       net.name, band.name, rest.tension[worst], pull, 100 * (rest.length[worst] / band.slack - 1));
 }
 
-/// The first band in tension that ends inside the bone over which it bends; empty: none.
+/// Describes the first band in tension that ends inside the bone over which it bends; empty: none.
 std::string buried_band(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
-  // Tension at the slack length of a smoothed band.
-  constexpr double kInsideDepth = 1e-8;  // Depth inside a bone beyond the solver's rounding [m]
+  constexpr double kInsideDepth = 1e-8;  // depth inside a bone above the solver's rounding [m]
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
     const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]
-    // Taut bands with an end deeper than rounding.
+    // Test the ends of taut bands.
     if (band.over < 0 || rest.tension[b] <= slack) continue;
     const BoneSurface& bone = net.surfaces[band.over];
     const Pose<double> X = surface_pose(bone, state);
@@ -74,7 +74,7 @@ void add_warning(const std::string& more, TendonTorque& pull) {
   pull.warning += more;
 }
 
-std::string drawn_in(const Net& net, const std::vector<int>& bands) {
+std::string drawn_band_names(const Net& net, const std::vector<int>& bands) {
   if (bands.empty()) return "";
   std::vector<std::string> which;
   for (const int b : bands) {
@@ -118,7 +118,7 @@ TendonStatus net_status(const Net& net, const TreeState<double>& state,
 NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& options,
                                     const TreeState<double>& state, const NetDrive& drive,
                                     const Eigen::Matrix3Xd* start) {
-  // Take a solver that is idle, or build one.
+  // Take an idle solver, or build one.
   std::unique_ptr<NetSolver> solver;
   {
     const std::lock_guard<std::mutex> hold(lock_);
@@ -129,7 +129,7 @@ NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& opti
   }
   if (!solver) solver = std::make_unique<NetSolver>(net, options);
   NetEquilibrium rest = solver->solve(state, drive, start);
-  // Give it back.
+  // Return it to the pool.
   const std::lock_guard<std::mutex> hold(lock_);
   idle_.push_back(std::move(solver));
   return rest;
@@ -148,7 +148,7 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
     case NetStatus::kOverstrained:
       return overstrained(net, rest);
     case NetStatus::kNodeCollapsed:
-      return drawn_in(net, collapsed_bands(rest));
+      return drawn_band_names(net, collapsed_bands(rest));
     case NetStatus::kBalanced:
       break;
   }
@@ -177,7 +177,7 @@ NetTendons::NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
       options_(options),
       free_(std::move(free)),
       digit_(linear_->digit()) {
-  // Shares of the muscles in the pulls of the net.
+  // Build the matrix of the muscles' shares in the pulls.
   digit_.fidelity.hood = Hood::kFloatingNet;
   shares_ = MatrixXd::Zero(static_cast<Eigen::Index>(net_.pulls.size()),
                            static_cast<Eigen::Index>(digit_.names.muscles.size()));
@@ -189,7 +189,7 @@ std::unique_ptr<DigitTendons> NetTendons::smoothed(double strain) const {
   require(strain >= 0 && std::isfinite(strain), "strain must be >= 0, got {}", strain);
   BuiltNet net = net_;
   net.net.blend = strain;
-  // The finger that it comes from is as smooth.
+  // Smooth the finger with all joints free, too.
   FreeFinger free = free_;
   if (free.tendons) {
     BuiltNet whole = free.tendons->net_;
@@ -205,8 +205,8 @@ std::unique_ptr<TendonFollower> NetTendons::follower() const {
 
 std::unique_ptr<TendonFollower> NetTendons::follower_on_tendons(const TendonEnds& ends) const {
   // Friction in sheaths has no potential, so net and tendons would have no common minimum.
-  const bool rubs = !digit_.model.friction.isZero(0);
-  if (rubs || !pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
+  const bool has_friction = !digit_.model.friction.isZero(0);
+  if (has_friction || !pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
   return std::make_unique<NetFollower>(
       std::make_unique<PullByTendon>(*this, ends.laws, *ends.at.rest),
       PostureAndLoad{ends.q, ends.load}, *ends.at.rest);
@@ -235,11 +235,11 @@ TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const Vecto
   const VectorXd whole = whole_shares();
   TendonDerivatives slopes = linear_->derivatives(q, whole.cwiseProduct(t));
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
-  // Muscles of the net add the path from their exit to their origin.
+  // Add the paths of the net's muscles from their exits to their origins.
   slopes.by_posture += own_path_slopes(state, t);
   slopes.length = whole.cwiseProduct(slopes.length);
   for (const NetMuscle& m : net_.muscles)
-    slopes.length[m.muscle] += m.to_net * path_length(state, m.own);
+    slopes.length[m.muscle] += m.to_net * path_length(state, m.own_path);
   return slopes;
 }
 
@@ -258,18 +258,19 @@ MatrixXd NetTendons::own_path_slopes(const TreeState<double>& state, const Vecto
   const TendonModel<double>& model = digit_.model;
   MatrixXd slopes = MatrixXd::Zero(model.coordinates, model.coordinates);
   for (const NetMuscle& m : net_.muscles)
-    slopes += m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own, model.coordinates);
+    slopes +=
+        m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own_path, model.coordinates);
   return slopes;
 }
 
 TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t,
                                         const TreeState<double>& state) const {
   TendonTorque pull = linear_->evaluate(q, t);
-  // Arms of a muscle of the net: in parts those of the whole tendon and of its own path.
+  // Combine the arms of the whole tendon and of the own path of each muscle of the net.
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
     pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
-                           m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
+                           m.to_net * moment_arms(model.tree, state, m.own_path, model.coordinates);
   pull.tau = pull.R.transpose() * t;
   return pull;
 }
@@ -284,11 +285,12 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
 
 TendonTorque NetTendons::evaluate(const VectorXd& q, const VectorXd& t,
                                   const Eigen::Matrix3Xd& start) const {
-  return torque_at_rest(q, t, rest(q, t, start));
+  return torque_at_equilibrium(q, t, rest(q, t, start));
 }
 
-std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at, const VectorXd& q,
-                                                          const VectorXd& t) const {
+std::shared_ptr<const NetEquilibrium> NetTendons::equilibrium_of(const TendonTorque& at,
+                                                                 const VectorXd& q,
+                                                                 const VectorXd& t) const {
   return at.rest ? at.rest : std::make_shared<const NetEquilibrium>(rest(q, t, at.nodes));
 }
 
@@ -296,7 +298,7 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                        const TendonTorque& at) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
+  const std::shared_ptr<const NetEquilibrium> rest = equilibrium_of(at, q, t);
   if (!why_not_differentiable(net_.net, *rest).empty())
     return DigitTendons::torque_by_posture(q, t, at);
   return torque_by_posture_outside(q, t) + thenar::torque_by_posture(net_.net, model.tree, state,
@@ -306,8 +308,8 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
 
 MatrixXd NetTendons::compliance(const VectorXd& q, const VectorXd& t,
                                 const TendonTorque& at) const {
-  // Through the shares to the digit's muscles.
-  const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
+  // Convert the compliance of the net's pulls to the digit's muscles by their shares.
+  const std::shared_ptr<const NetEquilibrium> rest = equilibrium_of(at, q, t);
   if (!why_not_differentiable(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
   return -shares_.transpose() * muscle_compliance(net_.net, state, {drive(t), {}}, *rest) * shares_;
@@ -315,21 +317,22 @@ MatrixXd NetTendons::compliance(const VectorXd& q, const VectorXd& t,
 
 VectorXd NetTendons::lengths_outside(const VectorXd& q) const {
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
-  // Whole tendons and own paths in their shares.
+  // Combine whole tendons and own paths by their shares.
   VectorXd length = linear_->lengths(q, VectorXd::Zero(shares_.cols()), {});
   for (const NetMuscle& m : net_.muscles)
-    length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
+    length[m.muscle] =
+        (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own_path);
   return length;
 }
 
 VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
   return lengths_outside(q) +
-         shares_.transpose() * muscle_band_length(net_.net, *rest_of(at, q, t));
+         shares_.transpose() * muscle_band_length(net_.net, *equilibrium_of(at, q, t));
 }
 
-TendonTorque NetTendons::torque_of_rest(const VectorXd& q, const VectorXd& t,
-                                        NetEquilibrium rest) const {
-  // Tendons outside of the net, then the net.
+TendonTorque NetTendons::torque_without_net_arms(const VectorXd& q, const VectorXd& t,
+                                                 NetEquilibrium rest) const {
+  // Add the net to the tendons outside it.
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   TendonTorque pull = torque_outside(q, t, state);
@@ -337,19 +340,19 @@ TendonTorque NetTendons::torque_of_rest(const VectorXd& q, const VectorXd& t,
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
   pull.effort = rest.evaluations;
-  // Status and warning of the worst part.
+  // Combine status and warnings.
   add_warning(net_warning(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));
   pull.rest = std::make_shared<const NetEquilibrium>(std::move(rest));
   return pull;
 }
 
-TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
-                                        NetEquilibrium rest) const {
-  TendonTorque pull = torque_of_rest(q, t, std::move(rest));
+TendonTorque NetTendons::torque_at_equilibrium(const VectorXd& q, const VectorXd& t,
+                                               NetEquilibrium rest) const {
+  TendonTorque pull = torque_without_net_arms(q, t, std::move(rest));
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  // Arms of the net where it is differentiable.
+  // Add the arms of the net where it is differentiable.
   if (why_not_differentiable(net_.net, *pull.rest).empty())
     pull.R += (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, *pull.rest,
                                model.coordinates) *

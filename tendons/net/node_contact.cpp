@@ -13,18 +13,18 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kOnSurface = 1e-12;  // Gaps below this count as none [m]
+constexpr double kOnSurface = 1e-12;  // gap that counts as zero [m]
 
 using Normals = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 using Forces = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 
-/// Surfaces that hold a node.
+/// Surfaces in contact with a node.
 struct HeldSurfaces {
-  std::array<int, 3> number;  // in the net
-  int count;                  // of them
+  std::array<int, 3> number;  // indices in Net::surfaces
+  int count;                  // number of surfaces
 };
 
-/// Places the normals of surfaces `held` into columns and their gaps into a vector.
+/// Computes normals and gaps of the surfaces `held`. @return largest |gap| [m]
 double gaps(const Net& net, const NetScene& scene, const HeldSurfaces& held, const Vector3d& x,
             Normals& N, Forces& gap) {
   N.resize(3, held.count);
@@ -37,11 +37,11 @@ double gaps(const Net& net, const NetScene& scene, const HeldSurfaces& held, con
   return gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
 }
 
-/// Nearest place, to first order, on all of the surfaces held.
-bool land(const Net& net, const NetScene& scene, const HeldSurfaces& held, Vector3d& x) {
+/// Moves x to the nearest point, to first order, on all surfaces held. @return whether it converged
+bool move_onto(const Net& net, const NetScene& scene, const HeldSurfaces& held, Vector3d& x) {
   if (held.count == 0) return true;
-  // One surface: along its normal.
-  if (held.count == 1) {  // the nearest point, twice for rounding
+  // Move along the normal of one surface.
+  if (held.count == 1) {  // twice for rounding
     for (int i = 0; i < 2; ++i) {
       const SurfaceGap at = gap_world(net, scene, held.number[0], x);
       x -= at.gap * at.normal;
@@ -49,7 +49,7 @@ bool land(const Net& net, const NetScene& scene, const HeldSurfaces& held, Vecto
     }
     return std::abs(gap_world(net, scene, held.number[0], x).gap) < kOnSurface;
   }
-  // Several: Newton's method for all gaps at once.
+  // Solve all gaps together by Newton's method for several surfaces.
   Normals N;
   Forces gap;
   for (int i = 0; i < 30; ++i) {
@@ -61,8 +61,8 @@ bool land(const Net& net, const NetScene& scene, const HeldSurfaces& held, Vecto
   return gaps(net, scene, held, x, N, gap) < kOnSurface;
 }
 
-/// The surface that x is deepest inside of; -1: none.
-int deepest(const Net& net, const NetScene& scene, const NetNode& node, const Vector3d& x) {
+/// Returns the surface that x penetrates most; -1: none.
+int deepest_surface(const Net& net, const NetScene& scene, const NetNode& node, const Vector3d& x) {
   int worst = -1;
   double depth = -kOnSurface;
   for (int s : node.surfaces) {
@@ -72,50 +72,50 @@ int deepest(const Net& net, const NetScene& scene, const NetNode& node, const Ve
   return worst;
 }
 
-/// Rows: n and two tangents.
-void turn_to(const Vector3d& n, Matrix3d& Q) {
+/// Sets the rows of Q to n and two tangents.
+void set_basis(const Vector3d& n, Matrix3d& Q) {
   const Tangents t = tangents(n);
   Q << n.transpose(), t.e1.transpose(), t.e2.transpose();
 }
 
-/// balance_node() for one surface.
+/// Balances a node on one surface, as balance_node().
 void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, NodeContact& contact) {
   const double force = contact.normal[0].dot(g);
   contact.pressed = contact.pinned = force >= -slop ? 1 : 0;
   if (contact.pressed == 0) return;
   contact.force[0] = force;
-  contact.left -= force * contact.normal[0];
-  contact.bend = force * curvature;
-  turn_to(contact.normal[0], contact.Q);
+  contact.residual -= force * contact.normal[0];
+  contact.curvature = force * curvature;
+  set_basis(contact.normal[0], contact.Q);
 }
 
 }  // namespace
 
 void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
                   const std::array<double, 3>& slop, NodeContact& contact) {
-  // Start: all touching surfaces press.
-  contact.left = g;
+  // Start with all touching surfaces pressed.
+  contact.residual = g;
   contact.Q.setIdentity();
-  contact.bend.setZero();
+  contact.curvature.setZero();
   contact.pressed = contact.touching;
   contact.pinned = 0;
-  // A collapsed node: its pull holds up to its size.
+  // Balance a collapsed node by its pull, up to the pull's size.
   if (contact.collapsed > 0) {
-    contact.left *= std::max(1 - contact.collapsed / std::max(g.norm(), 1e-300), 0.0);
+    contact.residual *= std::max(1 - contact.collapsed / std::max(g.norm(), 1e-300), 0.0);
     contact.pinned = 3;
     contact.pressed = 0;
     return;
   }
-  // Normals and curvatures at the node.
+  // Compute normals and curvatures at the node.
   std::array<Matrix3d, 3> curvature;
-  std::array<double, 3> least = slop;
+  std::array<double, 3> min_slop = slop;
   for (int i = 0; i < contact.touching; ++i) {
     const SurfaceProbe at = probe_world(net, scene, contact.surface[i], x);
     contact.normal[i] = at.normal;
     curvature[i] = at.curvature;
   }
-  if (contact.touching == 1) return balance_one(g, least[0], curvature[0], contact);
-  // Least squares; drop the surface with the most negative force, and repeat.
+  if (contact.touching == 1) return balance_one(g, min_slop[0], curvature[0], contact);
+  // Solve by least squares; drop the surface with the most negative force, and repeat.
   Normals N;
   Forces force;
   while (contact.pressed > 0) {
@@ -124,26 +124,26 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     force = N.completeOrthogonalDecomposition().solve(g);
     int worst = 0;
     for (int i = 1; i < contact.pressed; ++i)
-      if (force(i) + least[i] < force(worst) + least[worst]) worst = i;
-    if (force(worst) >= -least[worst]) break;
-    // Let go of the one that pulls most: it moves behind the pressed ones.
+      if (force(i) + min_slop[i] < force(worst) + min_slop[worst]) worst = i;
+    if (force(worst) >= -min_slop[worst]) break;
+    // Release the surface with the largest tension: move it behind the pressed ones.
     --contact.pressed;
     std::swap(contact.surface[worst], contact.surface[contact.pressed]);
     std::swap(contact.normal[worst], contact.normal[contact.pressed]);
     std::swap(curvature[worst], curvature[contact.pressed]);
-    std::swap(least[worst], least[contact.pressed]);
+    std::swap(min_slop[worst], min_slop[contact.pressed]);
   }
-  // What the forces balance, and what they add to the Hessian.
+  // Subtract the forces from the residual, and add up their curvatures.
   contact.pinned = contact.pressed;
   if (contact.pressed == 0) return;
   for (int i = 0; i < contact.pressed; ++i) {
     contact.force[i] = force(i);
-    contact.left -= force(i) * contact.normal[i];
-    contact.bend += force(i) * curvature[i];
+    contact.residual -= force(i) * contact.normal[i];
+    contact.curvature += force(i) * curvature[i];
   }
-  // Basis of normals and tangents.
+  // Build the basis of normals and tangents.
   if (contact.pressed == 1) {
-    turn_to(contact.normal[0], contact.Q);
+    set_basis(contact.normal[0], contact.Q);
   } else {
     contact.Q = Matrix3d(Eigen::HouseholderQR<Normals>(N).householderQ()).transpose();
   }
@@ -151,25 +151,25 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
 
 bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Vector3d& x,
                   NodeContact& contact) {
-  // Start on the surfaces that press.
+  // Start on the pressed surfaces, and add others that are penetrated.
   const Vector3d wanted = x;
   HeldSurfaces held{contact.surface, contact.pressed};
   while (true) {
-    if (!land(net, scene, held, x)) return false;
-    // Another surface may be entered there.
-    const int next = deepest(net, scene, node, x);
+    if (!move_onto(net, scene, held, x)) return false;
+    // Find another surface that is penetrated there.
+    const int next = deepest_surface(net, scene, node, x);
     if (next < 0) break;
-    // A surface just entered may alone be enough; else it joins those held.
+    // Try the new surface alone; otherwise add it to those held.
     if (held.count > contact.pressed) {
       HeldSurfaces alone{contact.surface, contact.pressed + 1};
       alone.number[contact.pressed] = next;
       Vector3d there = wanted;
-      if (land(net, scene, alone, there) && deepest(net, scene, node, there) < 0) {
+      if (move_onto(net, scene, alone, there) && deepest_surface(net, scene, node, there) < 0) {
         held = alone, x = there;
         break;
       }
     }
-    // Three surfaces fix a point: there is no place for a fourth.
+    // Fail beyond three surfaces, which determine a point.
     if (held.count == 3) return false;
     held.number[held.count++] = next;
   }
@@ -180,7 +180,7 @@ bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Ve
 
 namespace {
 
-/// Radial direction from the centre of a sphere, or from the axis of a cylinder.
+/// Radial direction and distance from the centre of a sphere, or from the axis of a cylinder.
 struct Radial {
   Vector3d normal;
   double distance, inverse;  // [m], [1/m]
@@ -203,7 +203,7 @@ Radial radial(const BoneSurface& bone, const Pose<double>& X, const Vector3d& x)
 }  // namespace
 
 SurfaceGap gap_world(const Net& net, const NetScene& scene, int surface, const Vector3d& x) {
-  // Round surfaces in closed form.
+  // Use the closed form of round surfaces.
   const BoneSurface& bone = net.surfaces[surface];
   if (is_round(bone)) {
     const Radial at = radial(bone, scene.surface[surface], x);
@@ -220,7 +220,7 @@ SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, con
     const Radial to = radial(bone, X, x);
     if (to.distance > 0) {
       Matrix3d across = Matrix3d::Identity() - to.normal * to.normal.transpose();
-      // A cylinder has no curvature along its axis.
+      // Remove the curvature along the axis of a cylinder.
       if (bone.shape == SurfaceShape::kCylinder) {
         const Vector3d d = X.R.col(2);
         across -= d * d.transpose();
@@ -228,7 +228,7 @@ SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, con
       return {to.distance - bone.size[0], to.normal, to.inverse * across};
     }
   }
-  // Other surfaces in their own frame.
+  // Probe other surfaces in their own frame.
   SurfaceProbe at = probe(bone, X.R.transpose() * (x - X.p));
   at.normal = X.R * at.normal;
   at.curvature = X.R * at.curvature * X.R.transpose();

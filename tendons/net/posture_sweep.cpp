@@ -10,13 +10,13 @@
 namespace thenar {
 namespace {
 
-/// Fills in how far knots and bones went between two points.
-void compare_places(const Net& net, const SweepPoint& before, SweepPoint& point) {
+/// Sets the displacements of nodes and bones between two points.
+void set_displacements(const Net& net, const SweepPoint& before, SweepPoint& point) {
   const auto& undetermined = point.rest.undetermined;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
     const double way = (point.rest.x.col(node) - before.rest.x.col(node)).norm();
-    // Fixed nodes show how far the bones moved; undetermined ones show nothing.
+    // Measure bones by fixed nodes; ignore undetermined ones.
     if (!net.nodes[i].free) {
       point.carried = std::max(point.carried, way);
     } else if (way > point.moved && std::find(undetermined.begin(), undetermined.end(),
@@ -27,6 +27,7 @@ void compare_places(const Net& net, const SweepPoint& before, SweepPoint& point)
   }
 }
 
+/// Builds a point from an equilibrium.
 SweepPoint point_at(const NetTendons& tendons, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                     NetEquilibrium rest) {
   SweepPoint point;
@@ -56,18 +57,19 @@ std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
   points.reserve(postures.size());
   for (const Eigen::VectorXd& q : postures)
     points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
-                                    : sweep_on(tendons, &points.back(), q, t, options));
+                                    : next_sweep_point(tendons, &points.back(), q, t, options));
   return points;
 }
 
-SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
-                    const Eigen::VectorXd& t, const NetContinuationOptions& options) {
+SweepPoint next_sweep_point(const NetTendons& tendons, const SweepPoint* before,
+                            const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                            const NetContinuationOptions& options) {
   if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
-  // From the point before, along the net's course.
+  // Follow the net from the previous point.
   NetContinuation walk = follow_net(tendons, before->rest, {before->q, t}, {q, t}, options);
   SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
   point.snapped = !walk.snaps.empty();
-  compare_places(tendons.net().net, *before, point);
+  set_displacements(tendons.net().net, *before, point);
   return point;
 }
 
@@ -82,7 +84,7 @@ double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, in
   const Net& all = tendons.net().net;
   const auto b = static_cast<std::size_t>(band);
   require(b < all.bands.size(), "net '{}' has no band {}", all.name, band);
-  // The torque of a net of this one band under 1 N.
+  // Compute the torque of a net of this band alone under 1 N.
   Net one = all;
   one.bands = {all.bands[b]};
   NetEquilibrium rest = point.rest;

@@ -9,9 +9,9 @@ namespace thenar {
 
 namespace {
 
-/// Looks for passive bands that bear more than they can, where a net is balanced.
+/// Finds passive bands loaded beyond their limits in a balanced net.
 void find_overstrained(const Net& net, NetEquilibrium& rest) {
-  constexpr double kNoLoad = 0.1;  // Tension below which its ratio to the pull is meaningless [N]
+  constexpr double kNoLoad = 0.1;  // tension below which its ratio to the pull is meaningless [N]
   if (rest.status != NetStatus::kBalanced) return;
   double pull = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
@@ -20,8 +20,8 @@ void find_overstrained(const Net& net, NetEquilibrium& rest) {
     const NetBand& band = net.bands[b];
     const auto i = static_cast<Eigen::Index>(b);
     if (band.muscle >= 0 || rest.tension[i] <= 0) continue;
-    const bool loaded = rest.tension[i] > std::max(net.most_load * pull, kNoLoad);
-    if (loaded || rest.length[i] > (1 + band.most_strain) * band.slack)
+    const bool loaded = rest.tension[i] > std::max(net.max_load * pull, kNoLoad);
+    if (loaded || rest.length[i] > (1 + band.max_strain) * band.slack)
       rest.overstrained.push_back(static_cast<int>(b));
   }
   if (!rest.overstrained.empty()) rest.status = NetStatus::kOverstrained;
@@ -57,13 +57,13 @@ NetEquilibrium NetSolver::solve(const TreeState<double>& state, const NetDrive& 
 std::vector<NetEquilibrium> solve_postures(NetSolver& solver, const Tree<double>& tree,
                                            const std::vector<Eigen::VectorXd>& postures,
                                            const NetDrive& drive, Eigen::Matrix3Xd start) {
-  // Every posture needs all coordinates of the tree.
+  // Check that every posture has all coordinates of the tree.
   int coordinates = 0;
   for (const Hinge<double>& hinge : tree) coordinates = std::max(coordinates, hinge.coordinate + 1);
   for (std::size_t k = 0; k < postures.size(); ++k)
     require(postures[k].size() >= coordinates, "posture {} has {} coordinates, the tree {}", k,
             postures[k].size(), coordinates);
-  // A balanced equilibrium is the next start.
+  // Solve the postures in turn, each from the last balanced equilibrium.
   std::vector<NetEquilibrium> rests;
   for (const Eigen::VectorXd& q : postures) {
     rests.push_back(solver.solve(pose_tree(tree, q), drive, start.cols() == 0 ? nullptr : &start));

@@ -17,22 +17,22 @@ TangentNet::TangentNet(const Net& of, const TreeState<double>& state, const NetD
                        const NetEquilibrium& at)
     : net(of), rest(at), scene(pose_scene(of, state, drive)), collapsed(of.bands.size(), -1) {
   number_nodes();
-  let_go();
+  release_penalties();
   probe_contacts();
-  state_bands();
-  free_directions();
+  evaluate_bands();
+  find_free_directions();
   factor();
 }
 
 void TangentNet::number_nodes() {
-  // Floating nodes in file order.
+  // Number floating nodes in file order.
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     row.push_back(net.nodes[i].free ? static_cast<int>(nodes.size()) : -1);
     if (!net.nodes[i].free) continue;
     nodes.emplace_back();
     nodes.back().node = static_cast<int>(i);
   }
-  // Nodes that lie in an exit follow it.
+  // Attach collapsed nodes to their exits.
   for (std::size_t d = 0; d < rest.collapsed.size(); ++d) {
     const NetBand& pulled = net.bands[rest.collapsed[d].band];
     require(row[pulled.a] < 0 || row[pulled.b] < 0,
@@ -45,9 +45,9 @@ void TangentNet::number_nodes() {
   }
 }
 
-/// Bands of constant pull that have collapsed nothing in pull as they are, however short: the
-/// spring that the search for rest puts in their place is none of the net's.
-void TangentNet::let_go() {
+/// Gives bands of constant pull that have collapsed no node their own stiffness, however short they
+/// are: the penalty spring of the search is not part of the net.
+void TangentNet::release_penalties() {
   for (std::size_t b = 0; b < collapsed.size(); ++b)
     if (collapsed[b] < 0) scene.penalty[b] = std::numeric_limits<double>::infinity();
 }
@@ -60,26 +60,26 @@ void TangentNet::probe_contacts() {
   }
 }
 
-void TangentNet::state_bands() {
+void TangentNet::evaluate_bands() {
   band.reserve(net.bands.size());
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     band.push_back(
         band_state(net, scene, static_cast<int>(b), x(net.bands[b].a), x(net.bands[b].b)));
-  // Bands of undetermined nodes are slack; what rounding leaves in them is no stiffness.
+  // Clear bands of undetermined nodes, which are slack up to rounding.
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     for (const int loose : rest.undetermined)
       if (net.bands[b].a == loose || net.bands[b].b == loose)
         band[b].pull.tension = band[b].pull.stiffness = 0;
 }
 
-void TangentNet::free_directions() {
-  // Nodes held by a band that is taut or stiff.
+void TangentNet::find_free_directions() {
+  // Mark nodes held by a taut or stiff band.
   std::vector<bool> held(net.nodes.size(), false);
   for (std::size_t b = 0; b < band.size(); ++b)
     if (collapsed[b] < 0 && (band[b].pull.stiffness != 0 || band[b].pull.tension != 0))
       held[net.bands[b].a] = held[net.bands[b].b] = true;
   Index column = 0;
-  // Directions within all surfaces that the node touches.
+  // Find the directions tangent to all surfaces that the node touches.
   for (TangentNode& node : nodes) {
     node.column = column;
     node.free = Matrix3d::Identity();
@@ -89,9 +89,9 @@ void TangentNet::free_directions() {
       const Eigen::CompleteOrthogonalDecomposition<Columns3> split(N);
       const Matrix3d Q = split.householderQ() * Matrix3d::Identity();
       node.free = Q.rightCols(3 - split.rank());
-      node.bear = split.pseudoInverse();
+      node.to_contact = split.pseudoInverse();
     }
-    // Collapsed and undetermined nodes do not move.
+    // Fix collapsed and undetermined nodes.
     if (node.exit >= 0 || !held[node.node]) node.free.resize(3, 0);
     column += node.free.cols();
   }
@@ -100,14 +100,14 @@ void TangentNet::free_directions() {
 void TangentNet::factor() {
   const Index size = nodes.empty() ? 0 : nodes.back().column + nodes.back().free.cols();
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
-  // Adds a block in the free directions of two nodes.
+  // Define how to add a block in the free directions of two nodes.
   const auto add = [&](int i, int j, const Matrix3d& K) {
     if (i < 0 || j < 0) return;
     const TangentNode &a = nodes[i], &b = nodes[j];
     H.block(a.column, b.column, a.free.cols(), b.free.cols()) +=
         a.free.transpose().lazyProduct((K * b.free).eval());
   };
-  // Stiffness of the bands.
+  // Add the stiffness of the bands.
   for (std::size_t b = 0; b < band.size(); ++b) {
     if (collapsed[b] >= 0) continue;
     const int ends[] = {row[net.bands[b].a], row[net.bands[b].b]};
@@ -119,7 +119,7 @@ void TangentNet::factor() {
                     chord.slope.segment<3>(3 * j).transpose() +
                 band[b].pull.tension * chord.curve.block<3, 3>(3 * i, 3 * j));
   }
-  // A normal force bends the surface's curvature into the Hessian.
+  // Add the curvature of the surfaces under normal forces.
   for (std::size_t c = 0; c < probe.size(); ++c) {
     const int k = row[rest.contacts[c].node];
     add(k, k, -rest.contacts[c].force * probe[c].curvature);
@@ -129,7 +129,7 @@ void TangentNet::factor() {
 
 namespace {
 
-/// Bones and hinges move; all that is of the net itself stays as it is.
+/// Builds a perturbation that moves only bones and hinges.
 NetPerturbation with_bones(const Net& net, TreeVelocity bones) {
   return {std::move(bones), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.bands.size())),
           Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(net.nodes.size())),
@@ -143,12 +143,12 @@ bool has_radius(const BoneSurface& surface) {
          surface.shape == SurfaceShape::kCapsule;
 }
 
-NetPerturbation still(const Net& net, std::size_t links) {
+NetPerturbation zero_perturbation(const Net& net, std::size_t links) {
   const std::vector<Eigen::Vector3d> none(links, Eigen::Vector3d::Zero());
   return with_bones(net, {std::vector<BodyTwist>(links + 1), none, none});
 }
 
-void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
+void add_pull_rates(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0) input.tension[b] += pull[net.bands[b].muscle];
 }
@@ -163,29 +163,29 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Nodes that bones take along; those that float slide on the bones that they touch.
-Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
+/// Computes the velocities of nodes moved by bones; floating nodes keep in contact.
+Matrix3Xd bone_driven_rates(const TangentNet& tangent, const NetPerturbation& input) {
   Matrix3Xd v = Matrix3Xd::Zero(3, tangent.rest.x.cols());
-  // Fixed nodes move with their links, and in them.
+  // Move fixed nodes with their links, and within them.
   for (std::size_t i = 0; i < tangent.row.size(); ++i)
     if (tangent.row[i] < 0)
       v.col(static_cast<Index>(i)) =
-          input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i))) +
+          input.body(tangent.net.nodes[i].link).velocity_at(tangent.x(static_cast<int>(i))) +
           input.node.col(static_cast<Index>(i));
-  // Collapsed nodes move with their exit.
+  // Move collapsed nodes with their exits.
   for (const TangentNode& node : tangent.nodes) {
     if (node.exit >= 0) v.col(node.node) = v.col(node.exit);
     if (node.exit >= 0 || node.contact.empty()) continue;
-    // Floating nodes keep pace with the bones along the normals.
+    // Move floating nodes with the bones along the normals.
     Vector3d along(0, 0, 0);
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
-      along[i] =
-          tangent.probe[node.contact[i]].normal.dot(
-              input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node))) +
-          input.radius[contact.surface];
+      along[i] = tangent.probe[node.contact[i]].normal.dot(
+                     input.body(tangent.net.surfaces[contact.surface].link)
+                         .velocity_at(tangent.x(node.node))) +
+                 input.radius[contact.surface];
     }
-    v.col(node.node) = node.bear.transpose() * along.head(node.bear.rows());
+    v.col(node.node) = node.to_contact.transpose() * along.head(node.to_contact.rows());
   }
   return v;
 }
@@ -194,28 +194,29 @@ Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
 
 namespace {
 
-/// Derivative of a bent string by the radius of its bone while its ends stay.
+/// Derivative of a bent string by the radius of its bone at fixed ends.
 struct RadiusSlope {
   double length;                      // [1]
-  Eigen::Matrix<double, 6, 1> slope;  // of the string's slope [1/m]
+  Eigen::Matrix<double, 6, 1> slope;  // derivative of the string's slope [1/m]
 };
 
-/// Across the axis (of a sphere: in the plane of the ends and the centre) the string is
+/// Computes the derivative of a bent string by the radius. Across the axis (of a sphere: in the
+/// plane of the ends and the centre) the string is
 ///   P = f_a + f_b + r arc,  f = sqrt(rho^2 - r^2),  dP/dr = arc,
-/// as both tangent points give f and take arc alike. An end's direction  w = (f e + r t) / rho,
-/// with e away from the centre and t across e, turns by  dw/dr = -n / f,  n = (r e - f t) / rho.
-/// Unrolled from a cylinder, with z the climb:  L^2 = P^2 + z^2,  slope = (P w + z d) / L.
-/// 1 / f is that of the string's second derivative, bounded as it is there: an end that rests on
-/// the bone is lifted by it, and both must cancel.
+/// since the changes of f and arc at both tangent points cancel. An end's direction w = (f e + r t)
+/// / rho,  with e away from the centre and t across e, turns by  dw/dr = -n / f,  n = (r e - f t) /
+/// rho. Unrolled from a cylinder, with z the climb:  L^2 = P^2 + z^2,  slope = (P w + z d) / L. 1 /
+/// f is that of the string's second derivative, with the same bound: an end that lies on the bone
+/// is lifted by it, and both must cancel.
 RadiusSlope slope_by_radius(const RoundBone& bone, const WrappedString& chord, const Vector3d& a,
                             const Vector3d& b) {
   const double L = chord.length;
   const Vector3d d = bone.sphere ? Vector3d::Zero().eval() : bone.d;
   const double climb = d.dot(a - b), P = std::sqrt((L - climb) * (L + climb));
   RadiusSlope out;
-  double arc = P;  // less the free runs, per radius
+  double arc = P;  // total length; reduced to the arc below
   for (int i : {0, 1}) {
-    // The end from the axis or centre, its direction, and what is across both.
+    // Compute the end from the axis or centre, its direction, and the normal of its run.
     const Vector3d from = (i == 0 ? a : b) - bone.center, across = from - d * d.dot(from);
     const double z = i == 0 ? climb : -climb;
     const Vector3d w = (L * chord.slope.segment<3>(3 * i) - z * d) / P;
@@ -225,7 +226,7 @@ RadiusSlope slope_by_radius(const RoundBone& bone, const WrappedString& chord, c
     arc -= across.dot(w);
   }
   arc /= bone.radius;
-  // The string grows, and leans less along the axis.
+  // Add the change of length, and of the inclination to the axis.
   out.length = P / L * arc;
   for (int i : {0, 1}) {
     const double z = i == 0 ? climb : -climb;
@@ -241,12 +242,13 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
                    const Matrix3Xd& v) {
   const NetBand& band = tangent.net.bands[b];
   const BandState& now = tangent.band[b];
-  // Seen from the bone over which it bends.
+  // Compute the motion of the ends relative to the bone over which it bends.
   BodyTwist bone;
   if (now.chord.bent) bone = input.body(tangent.net.surfaces[band.over].link);
   Eigen::Matrix<double, 6, 1> move;
-  move << v.col(band.a) - bone.at(tangent.x(band.a)), v.col(band.b) - bone.at(tangent.x(band.b));
-  // Rates of length, tension and direction.
+  move << v.col(band.a) - bone.velocity_at(tangent.x(band.a)),
+      v.col(band.b) - bone.velocity_at(tangent.x(band.b));
+  // Compute the rates of length, tension and direction.
   Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move;
   const Eigen::Matrix<double, 6, 1>& u = now.chord.slope;
   double dL = u.dot(move);
@@ -272,11 +274,11 @@ Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, co
     if (ka >= 0) f.col(ka) += now.fa;
     if (kb >= 0) f.col(kb) += now.fb;
   }
-  // Normals turn with the bone and with the place on it.
+  // Add the rotation of contact normals with the bone and along it.
   for (std::size_t c = 0; c < tangent.probe.size(); ++c) {
     const NetContact& contact = tangent.rest.contacts[c];
     const BodyTwist& bone = input.body(tangent.net.surfaces[contact.surface].link);
-    const Vector3d move = v.col(contact.node) - bone.at(tangent.x(contact.node));
+    const Vector3d move = v.col(contact.node) - bone.velocity_at(tangent.x(contact.node));
     f.col(tangent.row[contact.node]) +=
         contact.force * (bone.w.cross(tangent.probe[c].normal) + tangent.probe[c].curvature * move);
   }
@@ -284,10 +286,10 @@ Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, co
 }
 
 Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input) {
-  // Motion with the bones alone, and the force that it leaves.
-  Matrix3Xd v = carried(tangent, input);
+  // Compute the motion with the bones alone, and the force that it leaves unbalanced.
+  Matrix3Xd v = bone_driven_rates(tangent, input);
   const Matrix3Xd f = force_rate(tangent, input, v);
-  // Response along the free directions.
+  // Add the response along the free directions.
   Eigen::VectorXd along(tangent.stiffness.rows());
   for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
     const TangentNode& node = tangent.nodes[k];
@@ -304,33 +306,33 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A force on a link at a point, with their rates.
+/// Force on a link at a point, with rates of both.
 struct ForceRate {
   int link;
   Vector3d p, dp, f, df;
 };
 
-/// Bands on their fixed ends, and on the bones over which they bend.
-/// @param left  force_rate(): what a collapsed band has to make up for
+/// Adds the forces of bands on their fixed ends, and on the bones over which they bend.
+/// @param unbalanced  force_rate(), which collapsed bands balance
 void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v,
-               const Matrix3Xd& left, std::vector<ForceRate>& all) {
+               const Matrix3Xd& unbalanced, std::vector<ForceRate>& all) {
   for (std::size_t b = 0; b < tangent.band.size(); ++b) {
     const NetBand& band = tangent.net.bands[b];
     const BandState& now = tangent.band[b];
     const int collapsed = tangent.collapsed[b];
     BandRate rate = band_rate(tangent, static_cast<Index>(b), input, v);
-    // Force of the band on its two ends.
+    // Compute the force of the band on its two ends.
     Vector3d fa = -now.pull.tension * now.chord.slope.head<3>(),
              fb = -now.pull.tension * now.chord.slope.tail<3>();
-    // A collapsed band makes up for what is left on its node.
+    // Let a collapsed band balance the force on its node.
     if (collapsed >= 0) {
       const int k = std::max(tangent.row[band.a], tangent.row[band.b]);
-      const Vector3d on_node = -left.col(k) / tangent.nodes[k].collapsed;
+      const Vector3d on_node = -unbalanced.col(k) / tangent.nodes[k].collapsed;
       rate.fa = tangent.row[band.a] >= 0 ? on_node : Vector3d(-on_node);
       rate.fb = -rate.fa;
       fa = tangent.rest.collapsed[collapsed].force, fb = -fa;
     }
-    // On the links of fixed ends, and on the bone over which it bends.
+    // Add the links of fixed ends, and the bone over which it bends.
     const bool bent = now.chord.bent && collapsed < 0;
     const int over = bent ? tangent.net.surfaces[band.over].link : -1;
     for (const auto& [end, f, df] :
@@ -342,23 +344,24 @@ void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Ma
   }
 }
 
-/// Floating nodes on the bones that they touch.
+/// Adds the forces of floating nodes on the bones that they touch.
 void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v,
-                  const Matrix3Xd& left, std::vector<ForceRate>& all) {
+                  const Matrix3Xd& unbalanced, std::vector<ForceRate>& all) {
   for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
     const TangentNode& node = tangent.nodes[k];
     if (node.contact.empty()) continue;
-    // Change of the contact forces balances what is left.
-    VectorXd force = -node.bear * left.col(static_cast<Index>(k));
-    if (node.exit >= 0) force.setZero();  // the band that drew it makes up for all
+    // Compute the change of the contact forces.
+    VectorXd force = -node.to_contact * unbalanced.col(static_cast<Index>(k));
+    if (node.exit >= 0) force.setZero();  // the band that collapsed it balances all
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
       const SurfaceProbe& probe = tangent.probe[node.contact[i]];
       const int link = tangent.net.surfaces[contact.surface].link;
-      // Force on the bone at a point that moves, along a normal that turns.
+      // Add the force on the bone at a moving point, along a rotating normal.
       const Vector3d p = tangent.x(node.node), dp = v.col(node.node);
       const BodyTwist& bone = input.body(link);
-      const Vector3d turn = bone.w.cross(probe.normal) + probe.curvature * (dp - bone.at(p));
+      const Vector3d turn =
+          bone.w.cross(probe.normal) + probe.curvature * (dp - bone.velocity_at(p));
       all.push_back({link, p, dp, -contact.force * probe.normal,
                      -force[i] * probe.normal - contact.force * turn});
     }
@@ -370,13 +373,13 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
 VectorXd torque_rate(const TangentNet& tangent, const Tree<double>& tree,
                      const TreeState<double>& state, const NetPerturbation& input,
                      const Matrix3Xd& v, int coordinates) {
-  // Forces on links, with their rates.
+  // Collect the forces on links, with their rates.
   std::vector<ForceRate> all;
-  const Matrix3Xd left = force_rate(tangent, input, v);
-  add_bands(tangent, input, v, left, all);
-  add_contacts(tangent, input, v, left, all);
+  const Matrix3Xd unbalanced = force_rate(tangent, input, v);
+  add_bands(tangent, input, v, unbalanced, all);
+  add_contacts(tangent, input, v, unbalanced, all);
   VectorXd tau = VectorXd::Zero(coordinates);
-  // Rate of their moments about the hinges.
+  // Sum the rates of their moments about the hinges.
   for (const auto& [link, p, dp, f, df] : all) {
     const Vector3d m = p.cross(f), dm = dp.cross(f) + p.cross(df);
     for_each_hinge_to_base(tree, link, [&, &f = f, &df = df](int i) {

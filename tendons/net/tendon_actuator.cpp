@@ -20,7 +20,7 @@ TendonActuator::TendonActuator(const DigitTendons& tendons, const NetContinuatio
 
 const TendonAction& TendonActuator::act(const VectorXd& q, const VectorXd& t) {
   action_.snapped = false;
-  answer(q, t);  // checks q and t before the net moves
+  evaluate_outside(q, t);  // checks q and t before the net moves
   if (net_ == nullptr) return action_;
   move_net(q, t);
   add_net(q, t);
@@ -30,26 +30,26 @@ const TendonAction& TendonActuator::act(const VectorXd& q, const VectorXd& t) {
 const TendonAction& TendonActuator::start_at(const VectorXd& q, const VectorXd& t,
                                              const Matrix3Xd& nodes) {
   action_.snapped = false;
-  answer(q, t);
+  evaluate_outside(q, t);
   if (net_ == nullptr) return action_;
   rest_ = net_->rest(q, t, nodes);
   add_net(q, t);
   return action_;
 }
 
-/// All but the net.
-void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
+/// Evaluates all tendons except the net.
+void TendonActuator::evaluate_outside(const VectorXd& q, const VectorXd& t) {
   TendonTorque pull = net_ == nullptr ? tendons_.evaluate(q, t) : net_->torque_outside(q, t);
-  // Status of the tendons outside of the net.
+  // Set the status of the tendons outside the net.
   action_.paths = action_.status = pull.status;
   action_.hood = TendonStatus::kValid;
   action_.residual = 0;
-  // Torque and arms.
+  // Set torque and arms.
   action_.tau = std::move(pull.tau);
   action_.R = std::move(pull.R);
   action_.slips = pull.slips;
   action_.warning = std::move(pull.warning);
-  // Derivatives and lengths.
+  // Set derivatives and lengths.
   TendonDerivatives slopes =
       net_ == nullptr ? tendons_.derivatives(q, t) : net_->derivatives_outside(q, t);
   action_.slopes = slopes.exist;
@@ -62,7 +62,7 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
     rest_ = follow_from_straight(*net_, q, t, options_).rest;
     return;
   }
-  // One solve where the slopes by posture say; that suffices for short steps.
+  // Try one solve from the prediction by posture, enough for short steps.
   Matrix3Xd start = rest_.x;
   const bool follows = by_posture_.cols() == q.size();
   if (follows) {
@@ -70,7 +70,7 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
     start += Eigen::Map<const Matrix3Xd>(move.data(), 3, start.cols());
   }
   NetEquilibrium next = net_->rest(q, t, start);
-  // Near the prediction: this is the equilibrium.
+  // Accept an equilibrium near the prediction.
   if (follows &&
       largest_deviation(net_->net().net, rest_.undetermined, start, next) <= options_.stray) {
     rest_ = std::move(next);
@@ -83,21 +83,21 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
   snaps_ += static_cast<int>(walk.snaps.size());
 }
 
-/// Adds torque, slopes and lengths of the net where it rests, and keeps the state.
+/// Adds torque, derivatives and lengths of the net in its equilibrium, and stores the state.
 void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
   const Net& net = net_->net().net;
   const TendonModel<double>& model = tendons_.digit().model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  // The new state.
+  // Store the new state.
   known_ = true;
   q_ = q, t_ = t;
-  // Status and warning of the worst part.
+  // Combine status and warnings.
   action_.residual = rest_.residual;
   action_.hood = net_status(net, state, rest_);
   action_.status = worse(action_.paths, action_.hood);
   const std::string warning = net_warning(net, state, rest_);
   action_.warning += (action_.warning.empty() || warning.empty() ? "" : "; ") + warning;
-  // Slips and torque.
+  // Add slips and torque.
   action_.slips = slip_tension(net_->net(), rest_);
   action_.tau += net_torque(net, model.tree, state, rest_, model.coordinates);
   by_posture_.resize(0, 0);
@@ -105,7 +105,7 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
     action_.slopes = false;
     return;
   }
-  // One direction a coordinate gives all slopes: of nodes, torque and lengths.
+  // Compute one direction per coordinate for derivatives of nodes, torque and lengths.
   const internal::TangentNet tangent(net, state, {net_->drive(t), {}}, rest_);
   by_posture_.resize(rest_.x.size(), q.size());
   Eigen::MatrixXd shortens(q.size(), static_cast<Index>(net.muscles.size()));
@@ -123,7 +123,7 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
       action_.K.col(l) +=
           internal::torque_rate(tangent, model.tree, state, turn, v, model.coordinates);
   }
-  // Arms and lengths in shares of the digit's muscles.
+  // Convert arms and lengths to the digit's muscles.
   action_.R += (shortens * net_->shares()).transpose();
   if (action_.slopes) action_.length += net_->shares().transpose() * muscle_band_length(net, rest_);
 }

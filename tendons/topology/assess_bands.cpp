@@ -11,16 +11,18 @@
 namespace thenar {
 namespace {
 
-// The data do not feel a band with less chi^2 per unit of log EA [1]
-constexpr double kBlindSlope = 1e-3;
+// Information on log EA below which the data do not determine a band [1]
+constexpr double kMinInformation = 1e-3;
 
+/// Computes the evidence for a band: the difference of the smallest misfits without and with it.
 double evidence(const FittedNets& tried, int band) {
   const double without = tried.min_misfit(band, false), with = tried.min_misfit(band, true);
   return std::isinf(without) && std::isinf(with) ? 0 : without - with;
 }
 
-/// Reads convergence and residuals of the fits behind the evidence on one band.
-void state_fits(const FittedNets& tried, int band, BandVerdict& verdict, InferredNet& out) {
+/// Collects convergence and residuals of the fits behind the evidence on one band.
+void collect_fit_quality(const FittedNets& tried, int band, BandVerdict& verdict,
+                         InferredNet& out) {
   for (bool present : {false, true})
     if (const FittedNet* net = tried.best_where(band, present)) {
       verdict.converged = verdict.converged && net->fit.converged;
@@ -28,7 +30,7 @@ void state_fits(const FittedNets& tried, int band, BandVerdict& verdict, Inferre
     }
 }
 
-/// Bands of little evidence, least first.
+/// Returns the bands of little evidence, smallest first.
 std::vector<int> doubtful(const FittedNets& tried, int bands, double below) {
   std::vector<int> open;
   for (int c = 0; c < bands; ++c)
@@ -39,7 +41,7 @@ std::vector<int> doubtful(const FittedNets& tried, int bands, double below) {
   return open;
 }
 
-/// Single changes of the best net, again from whatever is better.
+/// Tries single changes of the best net, again from every better one.
 void try_singles(FittedNets& tried) {
   for (const FittedNet* best = tried.best(); best;) {
     // Fit every net that differs in one band.
@@ -52,10 +54,11 @@ void try_singles(FittedNets& tried) {
   }
 }
 
+/// Tries pairs of changes of bands with little evidence.
 void try_pairs(FittedNets& tried, const AssessOptions& options, double below,
                const Progress& progress) {
   const FittedNet here = *tried.best();
-  // Pairs of bands with little evidence.
+  // Fit nets that differ in two bands with little evidence.
   const std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   int left = options.max_pairs;
   for (std::size_t b = 1; b < open.size(); ++b)
@@ -63,10 +66,11 @@ void try_pairs(FittedNets& tried, const AssessOptions& options, double below,
       (void)tried.fit(flipped(flipped(here.bands, open[a]), open[b]), here.fit.s);
 }
 
+/// Tries all combinations of the most doubtful bands.
 void try_combinations(FittedNets& tried, const AssessOptions& options, double below,
                       const Progress& progress) {
   const FittedNet here = *tried.best();
-  // All combinations of the most doubtful bands.
+  // Fit the nets with every combination of these bands.
   std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   open.resize(std::min<std::size_t>(open.size(), static_cast<std::size_t>(options.max_open)));
   for (unsigned way = 0; way < 1u << open.size() && !progress.stop(); ++way) {
@@ -78,7 +82,7 @@ void try_combinations(FittedNets& tried, const AssessOptions& options, double be
 
 /// Fits the best net, and the best that differs from it in each band, from all starts.
 void settle_rivals(FittedNets& tried, const Progress& progress) {
-  // The best net itself, then its best rival in each band.
+  // Settle the best net, then its best rival in each band.
   tried.settle(tried.best()->bands, tried.best()->fit.s);
   const FittedNet here = *tried.best();
   for (int c = 0; c < static_cast<int>(here.bands.size()) && !progress.stop(); ++c) {
@@ -87,13 +91,13 @@ void settle_rivals(FittedNets& tried, const Progress& progress) {
   }
 }
 
-/// Changes of the best net, until none is better by more than a fit's tolerance.
+/// Tries changes of the best net, until none is better by more than a fit's tolerance.
 void search_around(FittedNets& tried, const AssessOptions& options, const Progress& progress) {
-  constexpr double kBetterMisfit = 0.1;  // Least fall of chi^2 of a better net [1]
+  constexpr double kBetterMisfit = 0.1;  // smallest decrease of chi^2 of a better net [1]
   for (int round = 0; round < options.max_rounds && !progress.stop(); ++round) {
     progress(0.7 + 0.3 * round / options.max_rounds, "changes of the best net");
     const double before = tried.best()->fit.misfit;
-    // Single changes, then pairs and combinations where the evidence is small.
+    // Try single changes, then pairs and combinations where the evidence is small.
     try_singles(tried);
     const double error = std::pow(model_error(tried), 2);
     try_pairs(tried, options, options.screen * error, progress);
@@ -103,54 +107,55 @@ void search_around(FittedNets& tried, const AssessOptions& options, const Progre
   }
 }
 
-/// Information on log EA in the best net (candidates, candidates).
+/// Computes the information on log EA in the best net (candidates, candidates).
 Eigen::MatrixXd information(const BandFit& fit) {
   const Eigen::MatrixXd J = fit.J * fit.s.asDiagonal();
   return J.transpose() * J;
 }
 
-/// Standard deviations of log EA, others free; infinite along blind directions.
-void state_stiffness(FittedNets& tried, InferredNet& out) {
+/// Sets the stiffnesses and the standard deviations of log EA with the others free; infinite along
+/// undetermined directions.
+void set_stiffness(FittedNets& tried, InferredNet& out) {
   const FittedNet& best = *tried.best();
-  // Eigenvectors of the information with no eigenvalue are not felt by any reading.
+  // Decompose the information; readings do not depend on eigenvectors of zero eigenvalue.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information(best.fit));
   const Eigen::VectorXd& lambda = eigen.eigenvalues();
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(lambda.size());
   for (Eigen::Index k = 0; k < lambda.size(); ++k) {
-    // Variance along each eigenvector.
+    // Add the variance along each eigenvector.
     const Eigen::VectorXd v = eigen.eigenvectors().col(k);
     const bool present = best.fit.s.cwiseProduct(v).norm() > 1e-9;
-    if (lambda(k) < kBlindSlope && present) out.blind.push_back(v);
+    if (lambda(k) < kMinInformation && present) out.blind.push_back(v);
     for (Eigen::Index c = 0; c < v.size(); ++c)
       if (std::abs(v(c)) > 1e-6) variance(c) += v(c) * v(c) / std::max(lambda(k), 1e-300);
   }
-  // Stiffness in the best net, its deviation, and whether the data say more than the bounds.
+  // Set stiffness, deviation, and whether the data constrain EA more than its bounds.
   for (std::size_t c = 0; c < out.verdicts.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
-    out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
+    out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical_EA()(i);
     const double sd = out.inflation * std::sqrt(variance(i));
     out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
     const CandidateBand& bounds = tried.fitter().candidate().candidates[c];
-    out.verdicts[c].EA_told =
-        out.verdicts[c].EA_sd < std::log(bounds.most / bounds.least) / std::sqrt(12.0);
+    out.verdicts[c].EA_determined =
+        out.verdicts[c].EA_sd < std::log(bounds.max_EA / bounds.min_EA) / std::sqrt(12.0);
   }
 }
 
-/// Returns whether, of the four ways to have or lack two bands in the best net, one was tried and
+/// Returns whether one of the four ways to have or lack two bands in the best net was tried and
 /// fits worse.
 bool linked(FittedNets& tried, double limit, int a, int b) {
   const FittedNet& best = *tried.best();
   for (int way = 0; way < 4; ++way) {
     Topology bands = best.bands;
     bands[a] = (way & 1) != 0, bands[b] = (way & 2) != 0;
-    if (!tried.knows(bands)) continue;
+    if (!tried.contains(bands)) continue;
     const BandFit& fit = tried.fit(bands, best.fit.s);
     if (!fit.holds || fit.misfit > limit) return true;
   }
   return false;
 }
 
-/// A root for each band: undecided bands that depend on each other share it.
+/// Finds a root for each band, shared by undecided bands that depend on each other.
 std::vector<int> roots_of(FittedNets& tried, const std::vector<BandVerdict>& verdicts,
                           double limit) {
   const int n = static_cast<int>(verdicts.size());
@@ -164,7 +169,7 @@ std::vector<int> roots_of(FittedNets& tried, const std::vector<BandVerdict>& ver
   return root;
 }
 
-/// The sets of these bands that equally good nets have, each once.
+/// Returns the subsets of these bands in equally good nets, each once.
 std::vector<std::vector<int>> ways_of(const std::vector<int>& bands,
                                       const std::vector<FittedNet>& alike) {
   std::vector<std::vector<int>> ways;
@@ -177,10 +182,11 @@ std::vector<std::vector<int>> ways_of(const std::vector<int>& bands,
   return ways;
 }
 
+/// Finds the groups of undecided bands that depend on each other.
 std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, double limit) {
   const int n = static_cast<int>(found.verdicts.size());
   const std::vector<int> root = roots_of(tried, found.verdicts, limit);
-  // One group for each root with several bands.
+  // Build one group for each root with several bands.
   std::vector<BandGroup> groups;
   for (int r = 0; r < n; ++r) {
     BandGroup group;
@@ -200,7 +206,7 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
   InferredNet out;
   out.rows = tried.fitter().rows();
   if (!tried.best()) return out;
-  // Try what is missing, then take stock of the best net.
+  // Try missing topologies, then report the best net.
   search_around(tried, options, progress);
   const FittedNet& best = *tried.best();
   out.inflation = model_error(tried);
@@ -210,19 +216,19 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
   out.misfit = best.fit.misfit;
   out.converged = best.fit.converged;
   const std::vector<std::string> names = candidate_names(tried.fitter().candidate());
-  // Evidence on each candidate, and its verdict.
+  // Compute evidence and verdict of each candidate.
   for (int c = 0; c < static_cast<int>(names.size()); ++c) {
     BandVerdict band;
     band.name = names[c];
     band.evidence = weight * evidence(tried, c);
     if (std::abs(band.evidence) >= options.doubt)
       band.verdict = band.evidence > 0 ? Verdict::kYes : Verdict::kNo;
-    state_fits(tried, c, band, out);
+    collect_fit_quality(tried, c, band, out);
     out.verdicts.push_back(band);
   }
-  // Nets that the data cannot tell from the best one.
-  out.alike = tried.alike(options.doubt / weight);
-  state_stiffness(tried, out);
+  // Report nets that the data cannot distinguish from the best one.
+  out.alike = tried.nets_within(options.doubt / weight);
+  set_stiffness(tried, out);
   out.groups = groups_of(tried, out, best.fit.misfit + options.doubt / weight);
   out.tried = tried.size();
   out.solves = tried.fitter().solves();

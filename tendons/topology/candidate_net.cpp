@@ -15,16 +15,16 @@ std::vector<CandidateBand> passive_candidates(const Net& net, double least, doub
   return candidates;
 }
 
-Net net_of(const CandidateNet& candidate, const Eigen::VectorXd& EA) {
+Net net_with_stiffness(const CandidateNet& candidate, const Eigen::VectorXd& EA) {
   Net net = candidate.net;
   std::vector<bool> absent(net.bands.size(), false);
-  // Stiffnesses of the candidates.
+  // Set the stiffnesses of the candidates.
   for (std::size_t c = 0; c < candidate.candidates.size(); ++c) {
     const double stiffness = EA(static_cast<Eigen::Index>(c));
     net.bands[candidate.candidates[c].band].EA = stiffness;
     absent[candidate.candidates[c].band] = stiffness <= 0;
   }
-  // Bands of no stiffness go.
+  // Remove bands of zero stiffness.
   std::vector<NetBand> kept;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (!absent[b]) kept.push_back(net.bands[b]);
@@ -40,7 +40,7 @@ std::vector<std::string> candidate_names(const CandidateNet& candidate) {
 void check_candidates(const CandidateNet& candidate) {
   const Net& net = candidate.net;
   require(!candidate.candidates.empty(), "net {} has no candidate bands", net.name);
-  // Each candidate is a passive band, named once, with bounds about its stiffness.
+  // Check that each candidate is a passive band, named once, with bounds about its stiffness.
   std::vector<bool> seen(net.bands.size(), false);
   for (const CandidateBand& c : candidate.candidates) {
     require(c.band >= 0 && c.band < static_cast<int>(net.bands.size()),
@@ -49,15 +49,15 @@ void check_candidates(const CandidateNet& candidate) {
     require(band.muscle < 0, "candidate {} is the band of a muscle", band.name);
     require(!seen[c.band], "candidate {} stands twice", band.name);
     seen[c.band] = true;
-    require(c.least > 0 && c.least <= band.EA && band.EA <= c.most && std::isfinite(c.most),
-            "candidate {}: wanted 0 < least <= EA <= most, got {} {} {} N", band.name, c.least,
-            band.EA, c.most);
+    require(c.min_EA > 0 && c.min_EA <= band.EA && band.EA <= c.max_EA && std::isfinite(c.max_EA),
+            "candidate {}: wanted 0 < least <= EA <= most, got {} {} {} N", band.name, c.min_EA,
+            band.EA, c.max_EA);
   }
 }
 
 void check_test(const CandidateNet& candidate, const TendonTest& test) {
   const Eigen::Index n = candidate.coordinates;
-  // Posture, tensions and own torques.
+  // Check posture, tensions and own torques.
   const auto muscles = static_cast<Eigen::Index>(candidate.net.muscles.size());
   require(test.q.size() == n && test.q.allFinite(), "test {}: wanted {} finite angles, got {}",
           test.name, n, test.q.size());
@@ -66,7 +66,7 @@ void check_test(const CandidateNet& candidate, const TendonTest& test) {
           "test {}: wanted {} tensions >= 0, got {}", test.name, muscles, test.tension.size());
   require(test.tau_own.size() == 0 || (test.tau_own.size() == n && test.tau_own.allFinite()),
           "test {}: wanted {} torques, got {}", test.name, n, test.tau_own.size());
-  // Map to what is measured.
+  // Check the map to readings.
   require(test.map.cols() == n && test.map.rows() > 0 && test.map.allFinite(),
           "test {}: wanted a finite map of {} torques, got {} x {}", test.name, n, test.map.rows(),
           test.map.cols());

@@ -9,12 +9,12 @@
 namespace thenar {
 namespace {
 
-// Most pairs of changes tried where noise does not explain the misfit
-constexpr int kChangePairs = 40;
+// Largest number of pairs of changes tried where noise does not explain the misfit
+constexpr int kMaxChangePairs = 40;
 
 /// Tries all topologies that differ by one band. @return the bands, best change first
 std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double price) {
-  // Score after each single change.
+  // Compute the score after each single change.
   std::vector<std::pair<double, int>> changes;
   for (int c = 0; c < static_cast<int>(here.bands.size()); ++c) {
     const Topology next = flipped(here.bands, c);
@@ -27,10 +27,10 @@ std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double 
   return order;
 }
 
-/// Tries pairs of the changes that harm least alone, until one helps.
+/// Tries pairs of the changes that alone increase the score least, until one helps.
 void change_in_pairs(FittedNets& tried, const FittedNet& here, const std::vector<int>& order,
                      double price) {
-  int left = kChangePairs;
+  int left = kMaxChangePairs;
   for (std::size_t b = 1; b < order.size(); ++b)
     for (std::size_t a = 0; a < b && left > 0; ++a, --left) {
       const Topology next = flipped(flipped(here.bands, order[a]), order[b]);
@@ -41,18 +41,18 @@ void change_in_pairs(FittedNets& tried, const FittedNet& here, const std::vector
 }  // namespace
 
 std::vector<Eigen::VectorXd> FittedNets::usual_starts() const {
-  const Eigen::Index n = fitter_->typical().size();
-  return {Eigen::VectorXd::Ones(n), fitter_->least(), fitter_->most()};
+  const Eigen::Index n = fitter_->typical_EA().size();
+  return {Eigen::VectorXd::Ones(n), fitter_->min_stiffness(), fitter_->max_stiffness()};
 }
 
 const BandFit& FittedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
-  // Known already.
+  // Return a known fit.
   const auto found = tried_.find(bands);
   if (found != tried_.end()) return found->second.fit;
-  // From the given start, then from the usual ones until it carries the loads.
-  FittedNet net{bands, fitter_->fit(presences_of(bands), start)};
+  // Fit from the given start, then from the usual ones until it carries the loads.
+  FittedNet net{bands, fitter_->fit(topology_presences(bands), start)};
   for (const Eigen::VectorXd& usual : usual_starts())
-    if (!net.fit.holds) net.fit = fitter_->fit(presences_of(bands), usual);
+    if (!net.fit.holds) net.fit = fitter_->fit(topology_presences(bands), usual);
   return tried_.emplace(bands, std::move(net)).first->second.fit;
 }
 
@@ -61,11 +61,11 @@ void FittedNets::settle(const Topology& bands, const Eigen::VectorXd& start) {
   FittedNet& net = tried_.at(bands);
   if (net.settled) return;
   net.settled = true;
-  // All starts; the best fit is kept.
+  // Fit from all starts and keep the best.
   std::vector<Eigen::VectorXd> starts = usual_starts();
   starts.push_back(start);
   for (const Eigen::VectorXd& from : starts) {
-    BandFit again = fitter_->fit(presences_of(bands), from);
+    BandFit again = fitter_->fit(topology_presences(bands), from);
     const bool better = !net.fit.holds || again.misfit < net.fit.misfit;
     if (again.holds && better) net.fit = std::move(again);
   }
@@ -91,10 +91,10 @@ double FittedNets::min_misfit(int band, bool present) const {
   return best ? best->fit.misfit : kInfinity;
 }
 
-std::vector<FittedNet> FittedNets::alike(double doubt) const {
+std::vector<FittedNet> FittedNets::nets_within(double doubt) const {
   const FittedNet* first = best();
   std::vector<FittedNet> nets;
-  // Every net that carries the loads and fits as well.
+  // Collect every net that carries the loads and fits as well.
   for (const auto& [bands, net] : tried_)
     if (net.fit.holds && net.fit.misfit <= first->fit.misfit + doubt) nets.push_back(net);
   std::sort(nets.begin(), nets.end(),
@@ -122,11 +122,11 @@ Topology descend(FittedNets& tried, const Topology& from, const Eigen::VectorXd&
   FittedNet here{from, tried.fit(from, start)};
   for (;;) {
     if (!here.fit.holds) return here.bands;
-    // Best single change.
+    // Find the best single change.
     const std::vector<int> order = change_singly(tried, here, price);
     const Topology nearest = flipped(here.bands, order[0]);
     FittedNet next{nearest, tried.fit(nearest, here.fit.s)};
-    // Two at once where no single change helps and the misfit is no noise.
+    // Change two at once where no single change helps and noise does not explain the misfit.
     if (!(score(next, price) < score(here, price)) && !noise_explains(here.fit)) {
       change_in_pairs(tried, here, order, price);
       next = *tried.best(price);

@@ -10,18 +10,18 @@
 namespace thenar {
 namespace {
 
-// A muscle whose band is shorter has drawn its node in [m]
+// Band length below which a muscle has drawn its node in [m]
 constexpr double kCollapsedLength = 1e-3;
 
-/// Candidates that exist, each with its place among the bands of net_of().
+/// Returns the candidates that exist, each with its index among the bands of net_with_stiffness().
 std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
                                            const Eigen::VectorXd& EA) {
-  // Candidate of each band.
+  // Find the candidate of each band.
   std::vector<int> of_band(candidate.net.bands.size(), -1);
   for (std::size_t c = 0; c < candidate.candidates.size(); ++c)
     of_band[candidate.candidates[c].band] = static_cast<int>(c);
   std::vector<std::pair<int, int>> places;
-  // Places shift where bands are left out.
+  // Shift the indices where bands are left out.
   int place = 0;
   for (int c : of_band) {
     if (c >= 0 && EA(c) <= 0) continue;
@@ -34,12 +34,12 @@ std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
 }  // namespace
 
 bool carries_loads(const Net& net, const NetEquilibrium& rest) {
-  // Balanced, or nearly so.
+  // Check that the net is balanced, at least nearly.
   const bool still = rest.status == NetStatus::kBalanced ||
                      rest.status == NetStatus::kOverstrained ||
-                     (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
+                     (rest.status == NetStatus::kStalled && rest.residual < kMaxSettledResidual);
   if (!still || !rest.x.allFinite()) return false;
-  // A muscle that has collapsed its node is not held.
+  // Check that no muscle has collapsed its node.
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0 && rest.length(static_cast<Eigen::Index>(b)) < kCollapsedLength)
       return false;
@@ -54,7 +54,7 @@ NetForwardModel::NetForwardModel(CandidateNet candidate, const std::vector<Tendo
 
 void NetForwardModel::add(const TendonTest& test) {
   check_test(candidate_, test);
-  // Equilibrium with all bands: the start of every prediction.
+  // Solve the net of all bands, the start of every prediction.
   Posed posed{test, pose_tree(candidate_.tree, test.q), {}};
   const NetEquilibrium rest =
       NetSolver(candidate_.net)
@@ -66,15 +66,15 @@ void NetForwardModel::add(const TendonTest& test) {
   tests_.push_back(std::move(posed));
 }
 
-Eigen::MatrixXd NetForwardModel::slope_of(const Net& net, const Posed& posed,
-                                          const NetEquilibrium& rest,
-                                          const Eigen::VectorXd& EA) const {
+Eigen::MatrixXd NetForwardModel::reading_by_EA(const Net& net, const Posed& posed,
+                                               const NetEquilibrium& rest,
+                                               const Eigen::VectorXd& EA) const {
   Eigen::MatrixXd tau = Eigen::MatrixXd::Zero(candidate_.coordinates, EA.size());
-  // Derivatives of band lengths by the joints.
+  // Compute the derivatives of band lengths by the joints.
   const Eigen::MatrixXd turn =
       length_by_posture(net, candidate_.tree, posed.state, {posed.test.tension, {}}, rest,
-                        {static_cast<int>(posed.test.q.size()), kSettledNet});
-  // Reciprocity: they give the torque's derivative by each EA.
+                        {static_cast<int>(posed.test.q.size()), kMaxSettledResidual});
+  // Convert them by reciprocity to the torque's derivative by each EA.
   for (const auto& [candidate, band] : places_of(candidate_, EA))
     tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
   return posed.test.map * tau;
@@ -85,15 +85,15 @@ NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities 
   require(EA.size() == static_cast<Eigen::Index>(candidate_.candidates.size()) && EA.allFinite() &&
               (EA.array() >= 0).all(),
           "wanted {} stiffnesses >= 0, got {}", candidate_.candidates.size(), EA.size());
-  // Room for all readings.
+  // Allocate all readings.
   Eigen::Index rows = 0, row = 0;
   for (const Posed& posed : tests_) rows += posed.test.map.rows();
   NetPrediction out;
   out.value.resize(rows);
   if (slopes == Sensitivities::kWith) out.by_EA.resize(rows, EA.size());
-  const Net net = net_of(candidate_, EA);
+  const Net net = net_with_stiffness(candidate_, EA);
   NetSolver solver(net);
-  // Equilibrium of each test, near the last forecast if there is one.
+  // Solve each test, from the given prediction if there is one.
   for (const Posed& posed : tests_) {
     const std::size_t place = out.rest.size();
     const bool warm = near != nullptr && near->holds && place < near->rest.size();
@@ -102,15 +102,15 @@ NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities 
     ++solves_;
     if (!carries_loads(net, rest)) return out;
     out.residual = std::max(out.residual, rest.residual);
-    // Torque of the net and of all else, mapped to the reading.
+    // Map the torque of the net and of everything else to the reading.
     const Eigen::Index n = posed.test.map.rows();
     Eigen::VectorXd tau =
         net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);
     if (posed.test.tau_own.size()) tau += posed.test.tau_own;
     out.value.segment(row, n) = posed.test.map * tau;
-    // Derivatives by EA.
+    // Compute the derivatives by EA.
     if (slopes == Sensitivities::kWith)
-      out.by_EA.middleRows(row, n) = slope_of(net, posed, rest, EA);
+      out.by_EA.middleRows(row, n) = reading_by_EA(net, posed, rest, EA);
     row += n;
     out.rest.push_back(rest.x);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Reasons why a search for nets ends.
+/// End of a search for nets.
 
 #include <string>
 
@@ -8,10 +8,10 @@ namespace thenar {
 
 /// Reason why a search for nets ended.
 enum class NetSearchStop {
-  kAgreed,       // no test of the pool sets the survivors apart
-  kTests,        // as many tests as allowed, or the pool is used up
-  kNoOracle,     // tests are worth measuring, and nobody is there to do it
-  kAsked,        // stop was requested
+  kAgreed,       // no test of the pool distinguishes the surviving topologies
+  kTests,        // the limit of tests is reached, or the pool is used up
+  kNoOracle,     // tests are worth measuring, but there is no oracle
+  kAsked,        // the caller asked to stop
   kNothingHolds  // no topology carries the loads
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Ranking of tests by how much models that fit so far disagree on them.
+/// Ranking of tests by the disagreement of models that fit so far.
 
 #include <vector>
 
@@ -9,28 +9,28 @@
 
 namespace thenar {
 
-/// Noise of a reading to come:  sd^2 = floor^2 + (relative |reading|)^2.
+/// Noise of a future reading:  sd^2 = floor^2 + (relative |reading|)^2.
 struct MeasurementNoise {
   double relative = 0.05;  // [1]
   double floor = 0.02;     // [N] or [N m], as the reading
 };
 
-/// @param value  the reading of one test (rows)
+/// Computes the standard deviation of a reading. @param value  reading of one test (rows)
 [[nodiscard]] Eigen::VectorXd reading_sd(const MeasurementNoise& noise,
                                          const Eigen::VectorXd& value);
 
 /// Rank of one test of a pool.
 struct RankedTest {
-  int test = -1;            // of the pool; -1: none
+  int test = -1;            // index in the pool; -1: none
   double disagreement = 0;  // mean over pairs of models of  min(|difference / sd|^2, 25)  [1]
 };
 
-/// Ranks all tests of a pool, best first. Pairs weigh  exp(-(misfit_a + misfit_b) / 2), relative to
-/// the best pair's; the cap makes a test that splits many pairs better than one that splits one
-/// far.
-/// @param pool  predicts the tests of the pool, one after the other
+/// Ranks all tests of a pool, best first. Pairs have the weight  exp(-(misfit_a + misfit_b) / 2),
+/// relative to the best pair's; the cap prefers a test that separates many pairs over one that
+/// separates one pair far.
+/// @param pool   model that predicts the tests of the pool in order
 /// @param tests  the pool
-/// @param nets   that fit so far, with their misfits
+/// @param nets   nets that fit so far, with their misfits
 /// Source: [Bongard2005] for the principle, [Saxena2012] for tendon networks.
 [[nodiscard]] std::vector<RankedTest> rank_tests(NetForwardModel& pool,
                                                  const std::vector<TendonTest>& tests,

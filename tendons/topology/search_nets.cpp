@@ -11,11 +11,11 @@
 namespace thenar {
 namespace {
 
-// Chance that a band is in a topology of the first population [1]
-constexpr double kFirstChance = 0.7;
-constexpr double kCrossoverChance = 0.4;  // Chance that a child has two parents [1]
+// Probability that a band is in a topology of the first population [1]
+constexpr double kInitialPresence = 0.7;
+constexpr double kCrossoverProbability = 0.4;  // probability that a child has two parents [1]
 
-/// Topologies with the stiffnesses that they start their next fit from.
+/// Topology with the stiffnesses from which its next fit starts.
 struct Member {
   Topology bands;
   Eigen::VectorXd s;
@@ -23,20 +23,20 @@ struct Member {
 using Population = std::vector<Member>;
 
 Topology random_topology(std::size_t bands, std::mt19937& random) {
-  std::bernoulli_distribution present(kFirstChance);
+  std::bernoulli_distribution present(kInitialPresence);
   Topology out(bands);
   for (std::size_t c = 0; c < bands; ++c) out[c] = present(random);
   return out;
 }
 
 Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
-  // One parent, the better ones more often.
+  // Pick one parent, the better ones more often.
   std::uniform_int_distribution<std::size_t> pick(0, parents.size() - 1);
-  const FittedNet& mother = parents[std::min(pick(random), pick(random))];  // the better more often
+  const FittedNet& mother = parents[std::min(pick(random), pick(random))];
   Member child{mother.bands, mother.fit.s};
   std::uniform_int_distribution<std::size_t> band(0, child.bands.size() - 1);
-  // Crossing: each band from either parent.
-  if (parents.size() > 1 && std::bernoulli_distribution(kCrossoverChance)(random)) {
+  // Cross over: take each band from either parent.
+  if (parents.size() > 1 && std::bernoulli_distribution(kCrossoverProbability)(random)) {
     const FittedNet& father = parents[pick(random)];
     std::bernoulli_distribution coin(0.5);
     for (std::size_t c = 0; c < child.bands.size(); ++c)
@@ -45,7 +45,7 @@ Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
         child.s(static_cast<Eigen::Index>(c)) = father.fit.s(static_cast<Eigen::Index>(c));
       }
   }
-  // Mutation of one or two bands.
+  // Mutate one or two bands.
   const int changes = std::bernoulli_distribution(0.5)(random) ? 1 : 2;
   for (int i = 0; i < changes; ++i) {
     const std::size_t c = band(random);
@@ -54,7 +54,7 @@ Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
   return child;
 }
 
-/// The best by score, best first.
+/// Returns the nets with the best scores, best first.
 std::vector<FittedNet> survivors(std::vector<FittedNet> nets, const NetSearchOptions& options) {
   std::sort(nets.begin(), nets.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, options.price) < score(b, options.price);
@@ -64,24 +64,24 @@ std::vector<FittedNet> survivors(std::vector<FittedNet> nets, const NetSearchOpt
   return nets;
 }
 
-/// Fits the population to the records at hand and lets it breed.
+/// Fits the population to the records and evolves it.
 std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
                                 std::mt19937& random, const NetSearchOptions& options,
                                 const Progress& progress) {
-  // Fit the population to the records at hand.
+  // Fit the population to the records.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
-  // Limit that keeps all nets
+  // Limit that keeps all nets [1]
   constexpr double kAllMisfits = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
-  // Generations: survivors breed, their children are fitted.
+  // Fit the children of survivors in each generation.
   for (int g = 0; g <= options.generations; ++g) {
     if (!tried.best()) return {};
     const FittedNet& best = *tried.best();
-    // At the end, single changes of a best net that noise does not explain.
+    // Descend at the end from a best net that noise does not explain.
     if (g == options.generations && !noise_explains(best.fit))
       descend(tried, best.bands, best.fit.s, options.price);
-    alive = survivors(tried.alike(kAllMisfits), options);
+    alive = survivors(tried.nets_within(kAllMisfits), options);
     if (g == options.generations || progress.stop()) break;
     for (int i = 0; i < options.children; ++i) {
       const Member child = child_of(alive, random);
@@ -91,26 +91,26 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   return alive;
 }
 
-/// Returns the nets with their misfits divided by the square of `error`, the noise that the best
-/// net leaves.
-std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
+/// Returns the nets with misfits divided by the square of `error`, the noise that the best net
+/// leaves.
+std::vector<FittedNet> with_rescaled_misfits(std::vector<FittedNet> nets, double error) {
   for (FittedNet& net : nets) net.fit.misfit /= error * error;
   return nets;
 }
 
-/// Returns whether survivors may agree by chance: there are fewer than four numbers a band, or
+/// Returns whether survivors may agree by chance: there are fewer than four values per band, or
 /// noise does not explain the misfit.
-bool few(FittedNets& tried) {
-  const Eigen::Index bands = tried.fitter().typical().size();
+bool may_agree_by_chance(FittedNets& tried) {
+  const Eigen::Index bands = tried.fitter().typical_EA().size();
   return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);
 }
 
-/// Tests not measured yet, at most `count`, that are worth it; no two of one posture if there is a
-/// choice.
+/// Chooses unmeasured tests worth measuring, at most `count`; no two with the same posture if
+/// possible.
 std::vector<RankedTest> choose(const std::vector<RankedTest>& ranked,
                                const std::vector<TendonTest>& pool, double enough, int count) {
   std::vector<RankedTest> chosen;
-  // Best tests first, one for each posture.
+  // Take the best tests first, one per posture.
   for (const RankedTest& promise : ranked) {
     if (static_cast<int>(chosen.size()) == count || promise.disagreement < enough) break;
     const bool posture_taken = std::any_of(chosen.begin(), chosen.end(), [&](const RankedTest& c) {
@@ -121,11 +121,11 @@ std::vector<RankedTest> choose(const std::vector<RankedTest>& ranked,
   return chosen;
 }
 
-/// Everything that changes from round to round.
+/// State of the search that changes from round to round.
 struct Search {
   Population population;
   std::vector<TendonRecord> records;
-  std::vector<bool> used;  // tests of the pool
+  std::vector<bool> used;  // measured tests of the pool
 
   void measure(const std::vector<RankedTest>& chosen, const std::vector<TendonTest>& pool,
                const TestOracle& oracle) {
@@ -140,13 +140,13 @@ Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
              const std::vector<TendonTest>& pool, const TestOracle& oracle, std::mt19937& random,
              const NetSearchOptions& options) {
   Search search{{}, std::move(records), std::vector<bool>(pool.size(), false)};
-  // The full topology, and random ones.
+  // Start with the full topology, and random ones.
   const std::size_t n = candidate.candidates.size();
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(n));
   search.population.push_back({Topology(n, true), one});
   for (int i = 1; i < 2 * options.population; ++i)
     search.population.push_back({random_topology(n, random), one});
-  // Without records, two random tests are measured.
+  // Measure two random tests if there are no records.
   while (search.records.size() < 2 && oracle) {
     std::uniform_int_distribution<int> pick(0, static_cast<int>(pool.size()) - 1);
     const int test = pick(random);
@@ -164,7 +164,7 @@ std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
   return open;
 }
 
-/// Returns the reason why no more is measured. @param left  tests that may still be
+/// Returns the reason why the search ends. @param left  number of tests that may still be measured
 NetSearchStop reason(const Progress& progress, const std::vector<RankedTest>& next, int left,
                      double enough) {
   if (progress.stop()) return NetSearchStop::kAsked;
@@ -205,28 +205,30 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
     const std::vector<FittedNet> alive =
         estimate(tried, search.population, random, options, progress);
     if (alive.empty()) return out;
-    // With an oracle a bad fit calls for more tests, not for more noise.
+    // With an oracle, answer a bad fit by more tests, not by more noise.
     const double error = oracle ? 1 : model_error(tried);
-    // Rank the tests that are left by how much survivors disagree on them.
-    out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
-                                     {error * options.noise.relative, error * options.noise.floor}),
-                          search.used);
-    // Measure as many as a round allows.
+    // Rank the remaining tests by the disagreement of survivors.
+    out.next = open_tests(
+        rank_tests(forecast, pool, with_rescaled_misfits(alive, error), fitter.typical_EA(),
+                   {error * options.noise.relative, error * options.noise.floor}),
+        search.used);
+    // Choose as many as a round allows.
     const int left = oracle ? std::clamp(options.max_tests - measured, 0, options.tests_a_round)
                             : options.tests_a_round;
     const std::vector<RankedTest> chosen =
-        choose(out.next, pool, few(tried) ? 0 : options.enough, left);
-    const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
+        choose(out.next, pool, may_agree_by_chance(tried) ? 0 : options.enough, left);
+    const int rivals =
+        static_cast<int>(tried.nets_within(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
     out.stop = reason(progress, out.next, left, options.enough);
-    // No more measurements: assess the bands.
+    // Assess the bands if nothing more is measured.
     if (progress.stop() || chosen.empty() || !oracle) {
       const FittedNet& best = alive.front();
       if (!progress.stop()) descend(tried, best.bands, best.fit.s, options.price);
       out.net = assess_bands(tried, options.weigh, progress);
       return out;
     }
-    // Measure, and breed from the survivors.
+    // Measure, and continue with the survivors.
     search.measure(chosen, pool, oracle);
     search.population.clear();
     for (const FittedNet& net : alive) search.population.push_back({net.bands, net.fit.s});

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Topology by search: a population of nets that explain what was measured, and tests chosen to set
-/// them against each other.
+/// Topology by search: a population of nets that explain the measurements, and tests chosen to
+/// discriminate between them.
 
 #include <functional>
 #include <random>
@@ -14,34 +14,36 @@
 
 namespace thenar {
 
+/// Options of search_nets().
 struct NetSearchOptions {
   int population = 12;     // topologies that survive a round
-  int generations = 2;     // of a round
-  int children = 10;       // of a generation
-  int tests_a_round = 3;   // measured before the population is fitted again
-  int max_tests = 36;      // measured in all, those at the start included
-  double enough = 1;       // disagreement of the best test below which measuring stops [1]
-  double price = 4;        // of a band, in chi^2 [1]
-  MeasurementNoise noise;  // of readings to come
+  int generations = 2;     // generations per round
+  int children = 10;       // children per generation
+  int tests_a_round = 3;   // tests measured before the population is fitted again
+  int max_tests = 36;      // total number of tests, initial ones included
+  double enough = 1;       // disagreement of the best test below which the search ends [1]
+  double price = 4;        // price of a band, in chi^2 [1]
+  MeasurementNoise noise;  // noise of future readings
   AssessOptions weigh;
 };
 
 /// Tests and best misfit of one round.
 struct NetSearchRound {
-  std::vector<RankedTest> measured;  // tests that were asked for
-  int tests;                         // measured before
+  std::vector<RankedTest> measured;  // tests measured in this round
+  int tests;                         // number of tests measured before
   double misfit;                     // chi^2 of the best net before [1]
-  int rivals;                        // nets within `doubt` of it
+  int rivals;                        // number of nets within `doubt` of it
 };
 
+/// Result of search_nets().
 struct [[nodiscard]] NetSearchResult {
   NetSearchStop stop = NetSearchStop::kNothingHolds;
   std::vector<NetSearchRound> rounds;
-  std::vector<RankedTest> next;  // tests that would tell most now, best first
+  std::vector<RankedTest> next;  // tests most worth measuring next, best first
   InferredNet net;
 };
 
-/// Supplies the reading of a test: an experiment, or a planted net.
+/// Source of readings: an experiment, or a planted net.
 using TestOracle = std::function<TendonRecord(const TendonTest& test)>;
 
 /// Tests that may be measured during a search.
@@ -51,10 +53,10 @@ struct MeasurableTests {
 };
 
 /// Alternates estimation and exploration. Estimation: topologies change by single bands and by
-/// crossing, each fitted to all records; the best by  chi^2 + price * bands  survive. Exploration:
+/// crossover, each fitted to all records; the best by  chi^2 + price * bands  survive. Exploration:
 /// the tests of the pool on which survivors disagree most are measured next. In the end the bands
 /// are assessed.
-/// @param records  what is known before; may be empty if there is an oracle
+/// @param records  known measurements; may be empty if there is an oracle
 /// Source: [Bongard2005], [ValeroCuevas2007], [Saxena2012].
 [[nodiscard]] NetSearchResult search_nets(const CandidateNet& candidate,
                                           std::vector<TendonRecord> records,

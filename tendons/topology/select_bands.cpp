@@ -7,36 +7,38 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kStopDescents = 2;  // Descents from the best stops
-constexpr double kStarts[] = {1, 0.1};    // s of all bands where paths start
+constexpr std::size_t kStopDescents = 2;  // number of descents, from the best steps
+constexpr double kStarts[] = {1, 0.1};    // initial s of all bands, one path each [1]
 
-Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
+/// Returns the bands above half their smallest EA.
+Topology kept_bands(const BandFitter& fitter, const Eigen::VectorXd& s) {
   Topology bands;
   for (Eigen::Index c = 0; c < s.size(); ++c) {
-    const double least = fitter.candidate().candidates[c].least / fitter.typical()(c);
+    const double least = fitter.candidate().candidates[c].min_EA / fitter.typical_EA()(c);
     bands.push_back(s(c) > 0.5 * least);
   }
   return bands;
 }
 
+/// Fits the kept bands again without penalty.
 PenaltyStep refit(FittedNets& tried, double price, const BandFit& priced) {
-  PenaltyStep stop{price, priced.misfit, kept(tried.fitter(), priced.s), 0};
+  PenaltyStep stop{price, priced.misfit, kept_bands(tried.fitter(), priced.s), 0};
   const double log_rows = std::log(static_cast<double>(tried.fitter().rows()));
   stop.information = score({stop.bands, tried.fit(stop.bands, priced.s)}, log_rows);
   return stop;
 }
 
-/// The path from one start, until nothing of the load is held.
+/// Follows the path from one start, until the net no longer holds.
 void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
             std::vector<PenaltyStep>& path, const Progress& progress) {
   BandFitter& fitter = tried.fitter();
-  // Prices in equal ratios.
+  // Set prices in geometric progression.
   const Presences either(static_cast<std::size_t>(start.size()), Presence::kEither);
   const double ratio =
       std::pow(options.last_price / options.first_price, 1.0 / std::max(options.prices - 1, 1));
   Eigen::VectorXd s = start;
   double price = options.first_price;
-  // Each price starts from the fit before.
+  // Start each price from the previous fit.
   for (int i = 0; i < options.prices; ++i, price *= ratio) {
     if (progress.stop() && !path.empty()) return;
     const BandFit priced = fitter.fit(either, s, Eigen::VectorXd::Constant(s.size(), price));
@@ -49,9 +51,9 @@ void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions
 }  // namespace
 
 Selection select_bands(FittedNets& tried, const SelectOptions& options, const Progress& progress) {
-  const Eigen::Index n = tried.fitter().typical().size();
+  const Eigen::Index n = tried.fitter().typical_EA().size();
   Selection out;
-  // Paths from soft and from typical bands.
+  // Follow paths from soft and from typical bands.
   double part = 0;
   for (double s : kStarts) {
     progress(part, "path over the price");
@@ -59,11 +61,11 @@ Selection select_bands(FittedNets& tried, const SelectOptions& options, const Pr
     if (progress.stop() && !out.path.empty()) break;
     follow(tried, Eigen::VectorXd::Constant(n, s), options, out.path, progress);
   }
-  // All bands hold whatever can be held.
+  // Fit the full topology, which carries any load that can be carried.
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
-  // All nets that carry the loads, by Schwarz's criterion.
-  std::vector<FittedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
+  // Sort all nets that carry the loads by Schwarz's criterion.
+  std::vector<FittedNet> starts = tried.nets_within(std::numeric_limits<double>::infinity());
   if (starts.empty()) return out;
   std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, price) < score(b, price);

@@ -1,39 +1,42 @@
 #pragma once
 
-/// Topology by sparse selection: all candidates at once, at a price.
+/// Topology by sparse selection: a penalised fit of all candidates at once.
 
 #include "base/progress.h"
 #include "tendons/topology/fitted_nets.h"
 
 namespace thenar {
 
+/// Options of select_bands().
 struct SelectOptions {
-  double first_price = 1;   // of the log-sum penalty [1]
-  double last_price = 300;  // [1]
-  int prices = 6;           // on the way, in equal ratios
+  double first_price = 1;   // first price of the log-sum penalty [1]
+  double last_price = 300;  // last price [1]
+  int prices = 6;           // number of prices, in geometric progression
 };
 
-/// One price on the path.
+/// Step of the path at one price.
 struct PenaltyStep {
   double price;        // [1]
-  double misfit;       // chi^2 of the priced fit [1]
-  Topology bands;      // that it keeps
-  double information;  // chi^2 of the refit without price + log(rows) * bands [1]; infinite if it
+  double misfit;       // chi^2 of the penalised fit [1]
+  Topology bands;      // bands that it keeps
+  double information;  // chi^2 of the refit without penalty + log(rows) * bands [1]; infinite if it
                        // does not carry the loads
 };
 
+/// Result of select_bands().
 struct [[nodiscard]] Selection {
   std::vector<PenaltyStep> path;
-  Topology bands;  // after descent from the stop of least information
+  Topology bands;  // topology after descent from the step of minimal information
 };
 
-/// Minimises  chi^2 + price * sum log(1 + s / kSoft),  s = EA / typical EA >= 0,  over a path of
-/// prices from several starts; bands above half their least EA are kept and fitted again without
-/// price; Schwarz's criterion chooses the stop; single changes that lower it are then made.
+/// Minimises  chi^2 + price * sum log(1 + s / kSoftRatio),  s = EA / typical EA >= 0,  over a path
+/// of prices from several starts. Bands above half their smallest EA are kept and fitted again
+/// without penalty; Schwarz's criterion chooses the step; single changes that lower it are then
+/// made.
 ///
-/// The plain L1 price on EA is not used: nets of equal ratios of EA differ little, so it would buy
-/// a lower price by softening all bands alike. Source: [Candes2008] for the penalty, [Schwarz1978]
-/// for the criterion.
+/// The plain L1 penalty on EA is not used: nets of equal ratios of EA differ little, so it would
+/// lower the penalty by softening all bands alike. Source: [Candes2008] for the penalty,
+/// [Schwarz1978] for the criterion.
 [[nodiscard]] Selection select_bands(FittedNets& tried, const SelectOptions& options = {},
                                      const Progress& progress = {});
 

@@ -15,20 +15,21 @@ using internal::TouchRate;
 using internal::TreeVelocity;
 using Column = Eigen::Ref<Eigen::VectorXd>;
 
-/// A direction, or a point, and its rate.
-struct Rated {
+/// Direction or point with its rate.
+struct RatedVector {
   Vector3d at, dot;
 };
 
-/// A straight run with the velocities of its ends.
+/// Straight run with the velocities of its ends.
 struct SpanRate {
   const PathSpan* span;
   Vector3d a_dot, b_dot;
-  Rated u;            // unit, from a to b
+  RatedVector u;      // unit direction from a to b
   double length_dot;  // [m/s]
 };
 
-SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_dot) {
+/// Computes the rates of a run from the velocities of its ends.
+SpanRate span_rate(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_dot) {
   const Vector3d u = span.u, move = b_dot - a_dot;
   const double stretch = u.dot(move);
   Vector3d turn = Vector3d::Zero();
@@ -36,22 +37,22 @@ SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_do
   return {&span, a_dot, b_dot, {u, turn}, stretch};
 }
 
-/// Motion of the tree by one coordinate, from which a column of slopes is computed.
-struct Turn {
+/// Motion of the tree by one coordinate, which gives one column of derivatives.
+struct CoordinateMotion {
   const Tree<double>& tree;
   const TreeState<double>& state;
   TreeVelocity rate;
 };
 
-/// Rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
-void add_span(const Turn& turn, const SpanRate& run, double scale, double scale_dot,
+/// Adds the rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
+void add_span(const CoordinateMotion& turn, const SpanRate& run, double scale, double scale_dot,
               Column column) {
   int a = run.span->link_a, b = run.span->link_b;
   if (a == b) return;
-  // Scaled direction and moment of the run's line, with their rates.
+  // Compute scaled direction and moment of the run's line, with their rates.
   const Vector3d u = scale * run.u.at, u_dot = scale * run.u.dot + scale_dot * run.u.at;
   const Vector3d m = run.span->a.cross(u), m_dot = run.a_dot.cross(u) + run.span->a.cross(u_dot);
-  // Hinges on the two branches up to the common ancestor.
+  // Add the hinges on the two branches up to the common ancestor.
   while (a != b) {
     const bool climb_b = b > a;
     const auto i = static_cast<std::size_t>(climb_b ? b : a);
@@ -63,8 +64,9 @@ void add_span(const Turn& turn, const SpanRate& run, double scale, double scale_
   }
 }
 
-/// Rate of  w . dp/dq  of a point of a link.
-void add_motion(const Turn& turn, int link, const Rated& p, const Rated& w, Column column) {
+/// Adds the rate of  w . dp/dq  of a point of a link.
+void add_motion(const CoordinateMotion& turn, int link, const RatedVector& p, const RatedVector& w,
+                Column column) {
   for_each_hinge_to_base(turn.tree, link, [&](int hinge) {
     const auto i = static_cast<std::size_t>(hinge);
     const auto& at = turn.state[i];
@@ -76,30 +78,31 @@ void add_motion(const Turn& turn, int link, const Rated& p, const Rated& w, Colu
   });
 }
 
-/// Surfaces that one run of a path bends over, with the spans before the first and after the last.
+/// Surfaces of one run of a path, linearised, with the links that carry them.
 struct RunChain {
   std::size_t first_arc;
-  std::vector<int> links;  // of the surfaces
+  std::vector<int> links;  // links of the surfaces
   ChainTangent tangent;
 };
 
-std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& set,
-                                const PathShape& shape) {
+/// Linearises the runs of a path that bend over surfaces.
+std::vector<RunChain> run_chains(const TreeState<double>& state, const PathSet& set,
+                                 const PathShape& shape) {
   std::vector<RunChain> chains;
   for (std::size_t i = 0; i < shape.arcs.size();) {
-    // Consecutive arcs without a fixed point between them form one chain.
+    // Collect consecutive arcs without a fixed point between them.
     std::vector<ChainArc> arcs;
     std::vector<int> links;
     const std::size_t first = i;
     do {
       const PathArc& arc = shape.arcs[i];
       const BoneSurface& surface = set.surfaces[arc.surface];
-      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+      const Pose<double> X = surface_pose(surface, state);
       arcs.push_back({&surface, X, arc.arc});
       links.push_back(surface.link);
       ++i;
     } while (i < shape.arcs.size() && shape.arcs[i].after == shape.arcs[i - 1].after + 1);
-    // The chain ends at the points before its first arc and after its last one.
+    // Linearise the chain between the points before its first arc and after its last one.
     const auto before = static_cast<std::size_t>(shape.arcs[first].after);
     const auto after = static_cast<std::size_t>(shape.arcs[i - 1].after) + 1;
     chains.push_back(
@@ -108,68 +111,71 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
   return chains;
 }
 
-/// Place of an origin on the carrier's run, with its rates.
+/// Position of a riding origin on the carrier's run, with its rates.
 struct RideRate {
   const std::vector<SpanRate>* carrier;
-  std::size_t span;         // of the carrier
-  double share, share_dot;  // of the way along the span
-  Vector3d x_dot;           // of the origin
+  std::size_t span;         // span of the carrier
+  double share, share_dot;  // fraction of the span's length and its rate
+  Vector3d x_dot;           // velocity of the origin
 };
 
-/// The origin x = A + d v stays at a fixed length from the carrier's insertion: d is what is left
-/// of it after A, whose excursion is a column of the carrier's arms.
+/// Computes the rates of a riding origin. The origin x = A + d v stays at a fixed length from the
+/// carrier's insertion: d is the remainder of that length after A, whose excursion is a column of
+/// the carrier's arms.
 RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
                    double shortened_dot) {
   const auto k = static_cast<std::size_t>(rider.ride_span);
   const SpanRate& run = carrier[k];
-  // Distance of the origin along its carrier's span, and how it changes.
+  // Compute the distance of the origin along its carrier's span, and its rate.
   const double l = run.span->length;
   const double d = (rider.spans.back().b - run.span->a).dot(run.u.at);
   return {&carrier, k, d / l, shortened_dot / l - d * run.length_dot / (l * l),
           run.a_dot + shortened_dot * run.u.at + d * run.u.dot};
 }
 
-/// Rates of the terms of a riding origin; see path_arms.cpp.
-void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride,
+/// Adds the rates of the terms of a riding origin; see path_arms.cpp.
+void add_riding(const CoordinateMotion& turn, const SpanRate& last, const RideRate& ride,
                 const Column& column) {
   const SpanRate& run = (*ride.carrier)[ride.span];
-  // Part of the pull along the carrier, and the rest across it.
-  const Rated &u = last.u, &v = run.u;
+  // Split the pull into the part along the carrier and the rest across it.
+  const RatedVector &u = last.u, &v = run.u;
   const double along = u.at.dot(v.at), along_dot = u.dot.dot(v.at) + u.at.dot(v.dot);
-  const Rated across{u.at - along * v.at, u.dot - along_dot * v.at - along * v.dot};
+  const RatedVector across{u.at - along * v.at, u.dot - along_dot * v.at - along * v.dot};
   const double s = ride.share, s_dot = ride.share_dot;
-  // Weights of the span's two ends, with their rates.
-  const Rated on_a{-along * v.at - (1 - s) * across.at,
-                   -along_dot * v.at - along * v.dot + s_dot * across.at - (1 - s) * across.dot};
-  const Rated on_b{-s * across.at, -s_dot * across.at - s * across.dot};
+  // Compute the weights of the span's two ends, with their rates.
+  const RatedVector on_a{
+      -along * v.at - (1 - s) * across.at,
+      -along_dot * v.at - along * v.dot + s_dot * across.at - (1 - s) * across.dot};
+  const RatedVector on_b{-s * across.at, -s_dot * across.at - s * across.dot};
   add_motion(turn, run.span->link_a, {run.span->a, run.a_dot}, on_a, column);
   add_motion(turn, run.span->link_b, {run.span->b, run.b_dot}, on_b, column);
-  // The part along the carrier follows that tendon's excursion.
+  // Add the part along the carrier, which follows that tendon's excursion.
   for (std::size_t k = 0; k < ride.span; ++k)
     add_span(turn, (*ride.carrier)[k], -along, -along_dot, column);
 }
 
-/// Scratch memory of span_rates().
-struct SpanRoom {
+/// Workspace of span_rates().
+struct SpanWorkspace {
   std::vector<Vector3d> a_dot, b_dot;  // (spans)
-  std::vector<BodyTwist> on;           // (arcs of a chain)
-  std::vector<TouchRate> touch;        // likewise
+  std::vector<BodyTwist> on;           // twists of the surfaces (arcs of a chain)
+  std::vector<TouchRate> touch;        // touch points (arcs of a chain)
 };
 
-/// Velocities of the ends of all runs while one coordinate turns, written over `out`. Runs between
-/// points of one link change no arm; theirs are found only for a carrier.
+/// Computes the rates of all runs while one coordinate moves, written over `out`. Runs between
+/// points of one link do not affect the arms; their rates are computed only for a carrier.
 void span_rates(const TreeVelocity& rate, const PathShape& shape,
                 const std::vector<RunChain>& chains, const Vector3d* origin_dot, bool carries,
-                SpanRoom& room, std::vector<SpanRate>& out) {
-  auto& [a_dot, b_dot, on, touch] = room;
+                SpanWorkspace& workspace, std::vector<SpanRate>& out) {
+  auto& [a_dot, b_dot, on, touch] = workspace;
   a_dot.clear();
   b_dot.clear();
-  // Ends that are fixed to links.
+  // Compute the velocities of ends that are fixed to links.
   for (const PathSpan& span : shape.spans) {
-    a_dot.push_back(rate.body(span.link_a).at(span.a));
-    b_dot.push_back(span.link_b == kRiding ? *origin_dot : rate.body(span.link_b).at(span.b));
+    a_dot.push_back(rate.body(span.link_a).velocity_at(span.a));
+    b_dot.push_back(span.link_b == kRiding ? *origin_dot
+                                           : rate.body(span.link_b).velocity_at(span.b));
   }
-  // Touch points follow from the linearised tangency conditions.
+  // Compute those of touch points from the linearised tangency conditions.
   for (const RunChain& chain : chains) {
     const auto before = static_cast<std::size_t>(shape.arcs[chain.first_arc].after);
     on.clear();
@@ -180,19 +186,19 @@ void span_rates(const TreeVelocity& rate, const PathShape& shape,
       a_dot[before + i + 1] = touch[i].off;
     }
   }
-  // Rates of the spans between those ends.
+  // Compute the rates of the spans between those ends.
   out.clear();
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     const PathSpan& span = shape.spans[s];
     if (carries || span.link_a != span.link_b)
-      out.push_back(rated(span, a_dot[s], b_dot[s]));
+      out.push_back(span_rate(span, a_dot[s], b_dot[s]));
     else
       out.push_back({&span, a_dot[s], b_dot[s], {Vector3d::Zero(), Vector3d::Zero()}, 0});
   }
 }
 
 /// Returns whether all touch points are determined, and all runs between links are long enough to
-/// tell how they turn.
+/// define their rotation.
 bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
@@ -202,8 +208,8 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   });
 }
 
-/// Returns whether a coordinate turns a hinge between the ends of a run: only then it changes the
-/// path.
+/// Returns whether a coordinate turns a hinge between the ends of a run, without which it does not
+/// affect the path.
 bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate) {
   for (const PathSpan& span : shape.spans) {
     int a = span.link_a, b = span.link_b;
@@ -217,16 +223,16 @@ bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate)
   return false;
 }
 
-/// Returns the rate at which the carrier draws back before the run on which the origin lies:
-/// -d(length up to it). Touch points count as fixed: where a path is tangent, sliding them changes
-/// no length.
-double shortened(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
-                 std::size_t before) {
+/// Computes the shortening rate of the carrier before the run on which the origin lies, -d(length
+/// up to it). Touch points count as fixed: where a path is tangent, sliding them does not change
+/// the length.
+double carrier_shortening_rate(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
+                               std::size_t before) {
   double sum = 0;
   for (std::size_t k = 0; k < before; ++k) {
     const PathSpan& span = *carrier[k].span;
-    sum -=
-        carrier[k].u.at.dot(rate.body(span.link_b).at(span.b) - rate.body(span.link_a).at(span.a));
+    sum -= carrier[k].u.at.dot(rate.body(span.link_b).velocity_at(span.b) -
+                               rate.body(span.link_a).velocity_at(span.a));
   }
   return sum;
 }
@@ -236,35 +242,36 @@ double shortened(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
 std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
                                             const TreeState<double>& state, const PathSet& set,
                                             const std::vector<PathShape>& shapes, int coordinates) {
-  // Chains of all paths, and whether their touch points are determined.
+  // Linearise the chains of all paths, and test whether derivatives exist.
   std::vector<ArmDerivatives> slopes(shapes.size());
   std::vector<std::vector<RunChain>> chains;
   std::vector<bool> carries(shapes.size(), false);
   for (const WrappedPath& path : set.paths)
     if (path.carrier >= 0) carries[path.carrier] = true;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    chains.push_back(chains_of(state, set, shapes[k]));
+    chains.push_back(run_chains(state, set, shapes[k]));
     const int carrier = set.paths[k].carrier;
     slopes[k].exist = has_slopes(shapes[k], chains[k]) && (carrier < 0 || slopes[carrier].exist);
     slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
   }
-  // One column for each coordinate: rates while it turns at unit speed.
+  // Compute one column per coordinate: rates while it moves at unit speed.
   std::vector<std::vector<SpanRate>> runs(shapes.size());
-  SpanRoom room;
+  SpanWorkspace workspace;
   for (int l = 0; l < coordinates; ++l) {
-    const Turn turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
+    const CoordinateMotion turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       const PathShape& shape = shapes[k];
       if (!slopes[k].exist || (!carries[k] && !has_hinge(tree, shape, l))) continue;
-      // A riding origin moves with its carrier, which stands earlier in the set.
+      // Move a riding origin with its carrier, which precedes it in the set.
       RideRate ride{};
       if (set.paths[k].carrier >= 0) {
         const auto& carrier = runs[set.paths[k].carrier];
-        ride = ride_rate(shape, carrier,
-                         shortened(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
+        ride = ride_rate(
+            shape, carrier,
+            carrier_shortening_rate(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
       }
-      span_rates(turn.rate, shape, chains[k], &ride.x_dot, carries[k], room, runs[k]);
-      // Rate of each span's share of the arms.
+      span_rates(turn.rate, shape, chains[k], &ride.x_dot, carries[k], workspace, runs[k]);
+      // Add the rate of each span's part of the arms.
       for (const SpanRate& run : runs[k]) {
         if (run.span->link_b != kRiding) {
           add_span(turn, run, 1, 0, slopes[k].dR.col(l));

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Derivatives of the moment arms of wrapped tendons by posture: second derivatives of length.
+/// Posture derivatives of the moment arms of wrapped tendons: second derivatives of length.
 ///
 /// With touch points x that keep the path tangent, f(x, q) = 0, the arms are R(x, q) and
 ///   dR/dq = R_q - R_x f_x^-1 f_q      (implicit function theorem),
 /// which is -d2L/dq2 and symmetric. Where a string just touches a surface the arms are continuous
-/// and their derivatives jump; this gives one of the sides. Derivation: docs/theory/wrapping.md.
+/// and their derivatives jump; the result is one of the two one-sided derivatives. Derivation:
+/// docs/theory/wrapping.md.
 
 #include <vector>
 
@@ -13,15 +14,16 @@
 
 namespace thenar {
 
-/// Derivatives of the arms of one path.
+/// Derivatives of the moment arms of one path.
 struct [[nodiscard]] ArmDerivatives {
-  bool exist = true;   // false: not taut, or touch points are not determined; dR is then zero
+  /// False: the path is not taut, or touch points are not determined; dR is then zero.
+  bool exist = true;
   Eigen::MatrixXd dR;  // d R_j / d q_k  [m/rad^2] (coordinates, coordinates)
 };
 
-/// Slopes of the arms of path_arms(), of every path. An origin that rides on another tendon
-/// follows that tendon's excursion; where its carrier bends there (PathStatus::kRidesOnBend) its
-/// arms are no slopes of a length, and it has none.
+/// Computes the derivatives of the moment arms of path_arms(), for every path. An origin that rides
+/// on another tendon follows that tendon's excursion. Where its carrier bends there
+/// (PathStatus::kRidesOnBend) its arms are not the gradient of a length, and no derivatives exist.
 [[nodiscard]] std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
                                                           const TreeState<double>& state,
                                                           const PathSet& set,

@@ -11,7 +11,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Distance r from a point, or from a line if `across` has lost one direction.
+/// Probes a surface at the distance `radius` from a point, or from a line if `across` lacks its
+/// direction.
 SurfaceProbe round(const Vector3d& from, double radius, const Matrix3d& across) {
   const double distance = from.norm();
   if (distance == 0) return {-radius, across.col(0).normalized(), Matrix3d::Zero()};
@@ -28,40 +29,39 @@ SurfaceProbe capsule(const Vector3d& size, const Vector3d& p) {
   return round(p - Vector3d(0, 0, std::copysign(size[1], p.z())), size[0], Matrix3d::Identity());
 }
 
-/// Probes a torus: a circle in the half plane through p and the axis, which turns about z across
-/// it.
+/// Probes a torus: a circle in the half plane through p and the axis, rotated about z.
 SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
-  // Nearest point of the ring.
+  // Find the nearest point of the ring.
   const double m = std::hypot(p.x(), p.y());
   const Vector3d out = m > 0 ? Vector3d(p.x() / m, p.y() / m, 0) : Vector3d::UnitX();
   const Vector3d round_z = Vector3d::UnitZ().cross(out);
   const Matrix3d plane = Matrix3d::Identity() - round_z * round_z.transpose();
-  // Circle of the tube, and rotation of the normal about the axis.
+  // Probe the circle of the tube, and add the rotation of the normal about the axis.
   SurfaceProbe probe = round(p - size[1] * out, size[0], plane);
   if (m > 0) probe.curvature += probe.normal.dot(out) / m * round_z * round_z.transpose();
   return probe;
 }
 
-/// Nearest point s^2 p / (s^2 + t) of an ellipsoid of semi-axes s; t solves
-/// |s p / (s^2 + t)| = 1 and is the only root above -min(s^2). Here u = t + min(s^2) is sought,
-/// which keeps its digits near 0. In the middle of the plane across the shortest axis there is no
-/// such root: u = 0, and the point lies off that plane. Source: [Eberly2013].
+/// Computes the nearest point s^2 p / (s^2 + t) of an ellipsoid of semi-axes s; t solves |s p /
+/// (s^2 + t)| = 1 and is the only root above -min(s^2). The search is for u = t + min(s^2), which
+/// keeps its digits near 0. In the middle of the plane across the shortest axis there is no such
+/// root: u = 0, and the point lies off that plane. Source: [Eberly2013].
 Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
-  // Coefficients measured from the shortest axis.
+  // Measure the coefficients from the shortest axis.
   Eigen::Index shortest = 0;
   const double least = s.minCoeff(&shortest);
   const Eigen::Array3d s2 = s.array().square(), sp = s.array() * p.array();
   const Eigen::Array3d longer = s2 - least * least;
-  // In the plane across the shortest axis the root may be u = 0.
+  // Handle the plane across the shortest axis, where the root may be u = 0.
   if (p[shortest] == 0) {
     Vector3d y = (p.array() == 0).select(0, s2 * p.array() / longer);
     const double rest = 1 - y.cwiseQuotient(s).squaredNorm();
     y[shortest] = least * std::sqrt(std::max(rest, 0.0));
     if (rest >= 0) return y;
   }
-  // Bisection between bounds of the root.
+  // Bisect between bounds of the root.
   double low = 0, high = sp.matrix().norm() + least * least;
-  for (int i = 0; i < 1100 && low < high; ++i) {  // bisection ends at neighbouring numbers
+  for (int i = 0; i < 1100 && low < high; ++i) {  // ends at adjacent floating-point numbers
     const double u = 0.5 * (low + high);
     if (u == low || u == high) break;
     ((sp / (longer + u)).matrix().norm() > 1 ? low : high) = u;
@@ -70,13 +70,13 @@ Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
 }
 
 SurfaceProbe ellipsoid(const Vector3d& s, const Vector3d& p) {
-  // Normal and shape operator at the nearest point.
+  // Compute normal and shape operator at the nearest point.
   const Vector3d y = nearest_on_ellipsoid(s, p), w = s.array().square().inverse();
   const Vector3d gradient = w.cwiseProduct(y), n = gradient.normalized();
   const double gap = n.dot(p - y);
   const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
   const Matrix3d S = P * w.asDiagonal() * P / gradient.norm();  // shape operator at y
-  // Curvature of the parallel surface through p.
+  // Return the curvature of the parallel surface through p.
   return {gap, n, (Matrix3d::Identity() + gap * S).fullPivLu().solve(S)};
 }
 

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Coordinates of the hinges between links that one run touches.
+/// Adds the coordinates of the hinges between two links.
 void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed) {
   while (a != b) {
     const auto i = static_cast<std::size_t>(std::max(a, b));
@@ -25,9 +25,10 @@ void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed)
   }
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): once: a carrier rides on none
-std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const WrappedPath& path) {
-  // Hinges between consecutive points and surfaces.
+// NOLINTNEXTLINE(misc-no-recursion): one level: a carrier does not ride
+std::set<int> crossed_coordinates(const Tree<double>& tree, const PathSet& set,
+                                  const WrappedPath& path) {
+  // Collect the hinges between consecutive points and surfaces.
   std::set<int> crossed;
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     int before = path.points[k].link;
@@ -38,25 +39,25 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
     }
     add_between(tree, before, path.points[k + 1].link, crossed);
   }
-  // A riding origin also depends on all that its carrier crosses.
+  // Add all coordinates of the carrier of a riding origin.
   if (path.carrier >= 0) {
     const WrappedPath& carrier = set.paths[path.carrier];
-    crossed.merge(crossed_by(tree, set, carrier));
+    crossed.merge(crossed_coordinates(tree, set, carrier));
     add_between(tree, path.points.front().link, carrier.points.back().link, crossed);
   }
   return crossed;
 }
 
-/// One run of a path as a set of its own, the carrier of its origin first.
+/// Extracts one run of a path as a set of its own, with the carrier of its origin first.
 PathSet run_alone(const PathSet& set, const WrappedPath& path, std::size_t k) {
-  // Two points with the surfaces between them.
+  // Copy two points with the surfaces between them.
   PathSet alone;
   alone.surfaces = set.surfaces;
   WrappedPath run;
   run.name = path.name;
   run.points = {path.points[k], path.points[k + 1]};
   run.bends = {path.bends[k]};
-  // The last run of a riding tendon needs its carrier.
+  // Add the carrier for the last run of a riding tendon.
   if (path.carrier >= 0 && k + 2 == path.points.size()) {
     alone.paths.push_back(set.paths[path.carrier]);
     run.carrier = 0;
@@ -66,12 +67,12 @@ PathSet run_alone(const PathSet& set, const WrappedPath& path, std::size_t k) {
   return alone;
 }
 
-/// The wrapped run, asked by its own coordinates x in [-1, 1].
+/// Wrapped run as a function of its own coordinates x in [-1, 1].
 class Run {
  public:
   Run(const Tree<double>& tree, PathSet set, const FitBox& box)
       : tree_(tree), set_(std::move(set)), solver_(set_), box_(box) {
-    for (int j : crossed_by(tree, set_, set_.paths.back())) {
+    for (int j : crossed_coordinates(tree, set_, set_.paths.back())) {
       coordinates.push_back(j);
       require(box.upper[j] - box.lower[j] < 2 * kPi - 1e-9 && box.upper[j] > box.lower[j],
               "strand '{}' crosses coordinate {}, which has no range to fit over",
@@ -81,12 +82,12 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  /// Length and d length / dx of each own coordinate.
+  /// Computes length and d length / dx of each own coordinate.
   FittedLength at(const VectorXd& x) {
-    // Posture: own coordinates from x, all others in the middle of their range.
+    // Set the posture: own coordinates from x, all others in the middle of their range.
     VectorXd q = 0.5 * (box_.lower + box_.upper);
     for (std::size_t i = 0; i < coordinates.size(); ++i) q[coordinates[i]] += half(i) * x[i];
-    // The wrapped path there.
+    // Solve the wrapped path there.
     const TreeState<double> state = pose_tree(tree_, q);
     const auto& shapes = solver_.solve(state);
     const PathShape& shape = shapes.back();
@@ -94,7 +95,7 @@ class Run {
             "strand '{}' cannot be fitted: it is not taut within its joints' ranges (kink {:.3g} "
             "rad, a point {:.3g} mm inside a surface)",
             set_.paths.back().name, shape.error, 1e3 * shape.depth);
-    // Arms by posture become slopes by x.
+    // Convert arms by posture to derivatives by x.
     MatrixXd R(shapes.size(), q.size());
     path_arms(tree_, state, set_, shapes, R);
     RowVectorXd slope(coordinates.size());
@@ -116,13 +117,14 @@ class Run {
   const FitBox& box_;
 };
 
+/// Computes an integer power.
 Index power(Index base, std::size_t exponent) {
   Index result = 1;
   for (std::size_t i = 0; i < exponent; ++i) result *= base;
   return result;
 }
 
-/// Digits of a number in a base, least first.
+/// Returns the digits of a number in a base, least significant first.
 std::vector<Index> digits(Index number, Index base, std::size_t count) {
   std::vector<Index> result(count);
   for (Index& digit : result) {
@@ -132,13 +134,13 @@ std::vector<Index> digits(Index number, Index base, std::size_t count) {
   return result;
 }
 
-/// T_0..T_n and their derivatives at x.
+/// Chebyshev polynomials T_0..T_n and their derivatives at x.
 struct PolynomialBasis {
   VectorXd T, dT, ddT;
 };
 PolynomialBasis basis(int order, double x) {
   const VectorXd none = VectorXd::Zero(order + 1);
-  // Recurrence T_k = 2 x T_(k-1) - T_(k-2), differentiated twice.
+  // Apply the recurrence T_k = 2 x T_(k-1) - T_(k-2), differentiated twice.
   PolynomialBasis at{VectorXd::Ones(order + 1), none, none};
   if (order == 0) return at;
   at.T[1] = x;
@@ -151,11 +153,11 @@ PolynomialBasis basis(int order, double x) {
   return at;
 }
 
-/// Value and slopes by x of a tensor: contracts its first coordinate, then the next.
+/// Evaluates a tensor and its derivatives by x: contracts its first coordinate, then the next.
 FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
-  // parts[0] carries the value, the others the slope by one coordinate each.
+  // Keep the value in parts[0], the derivative by each coordinate in the others.
   const Index n = run.order + 1;
-  std::vector<VectorXd> parts{run.c};  // value, then one a coordinate done
+  std::vector<VectorXd> parts{run.c};
   for (Index i = 0; i < x.size(); ++i) {
     const PolynomialBasis at = basis(run.order, x[i]);
     // Contract the next coordinate; its derivative starts a new part.
@@ -171,10 +173,10 @@ FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
   return result;
 }
 
-/// Samples in Chebyshev points, turned into coefficients one coordinate after the other:
+/// Interpolates samples at Chebyshev points, one coordinate after the other:
 ///   c_i = (2 - [i = 0]) / n  sum_k f(x_k) T_i(x_k),   x_k = cos(pi (k + 1/2) / n).
 FittedRun interpolate(Run& run, int order) {
-  // Chebyshev points, and the matrix from samples to coefficients.
+  // Set up Chebyshev points and the matrix from samples to coefficients.
   const std::size_t d = run.coordinates.size();
   const Index n = order + 1;
   MatrixXd to_coefficients(n, n);
@@ -184,7 +186,7 @@ FittedRun interpolate(Run& run, int order) {
     to_coefficients.col(k) = 2.0 / static_cast<double>(n) * basis(order, points[k]).T;
   }
   to_coefficients.row(0) *= 0.5;
-  // Samples of the length on the tensor grid.
+  // Sample the length on the tensor grid.
   FittedRun fit{run.coordinates, order, VectorXd(power(n, d))};
   VectorXd x(static_cast<Index>(d));
   for (Index s = 0; s < fit.c.size(); ++s) {
@@ -192,7 +194,8 @@ FittedRun interpolate(Run& run, int order) {
     for (std::size_t i = 0; i < d; ++i) x[i] = points[at[i]];
     fit.c[s] = run.at(x).length;
   }
-  for (std::size_t i = 0; i < d; ++i) {  // turns the tensor round: the first coordinate ends last
+  for (std::size_t i = 0; i < d;
+       ++i) {  // rotates the tensor: the first coordinate becomes the last
     const MatrixXd first =
         to_coefficients * Eigen::Map<const MatrixXd>(fit.c.data(), n, fit.c.size() / n);
     const MatrixXd turned = first.transpose();
@@ -201,15 +204,15 @@ FittedRun interpolate(Run& run, int order) {
   return fit;
 }
 
-/// Points a coordinate of the test grid: about 15,000 in all.
+/// Returns the number of points per coordinate of the test grid: about 15,000 in all.
 Index grid_points(std::size_t coordinates, int order) {
   const double many = std::pow(15000.0, 1.0 / static_cast<double>(coordinates));
   return std::max<Index>(static_cast<Index>(std::min(many, 401.0)), 2 * order + 3);
 }
 
-/// Errors on an even grid, and how they change between neighbours.
-FitError measure(Run& run, const FittedRun& fit) {
-  // Differences of length and arms on an even grid.
+/// Measures the errors of a fit on an even grid, and bounds them between its points.
+FitError fit_error(Run& run, const FittedRun& fit) {
+  // Compute the differences of length and arms on an even grid.
   const std::size_t d = run.coordinates.size();
   const Index m = grid_points(d, d <= 3 ? fit.order : 0), all = power(m, d);
   MatrixXd arm_error(static_cast<Index>(d), all);  // [m/rad]
@@ -226,11 +229,11 @@ FitError measure(Run& run, const FittedRun& fit) {
       arm_error(row, s) = (fitted.arms[row] - wrapped.arms[row]) / run.half(i);
     }
   }
-  // Largest differences seen on the grid.
+  // Take the largest differences on the grid.
   error.arm = arm_error.cwiseAbs().maxCoeff();
   error.arm_bound = error.arm;
   error.length_bound = error.length;
-  // Between grid points an arm's error can change as much as between neighbours.
+  // Add the largest change between neighbours, which bounds the arm's error between points.
   for (std::size_t i = 0; i < d; ++i) {
     const Index stride = power(m, i);
     double change = 0;
@@ -240,7 +243,7 @@ FitError measure(Run& run, const FittedRun& fit) {
             std::max(change, (arm_error.col(s + stride) - arm_error.col(s)).cwiseAbs().maxCoeff());
     error.arm_bound += change;
   }
-  // Integrated over half a mesh, the bound of the arms bounds the length.
+  // Integrate the bound of the arms over half a mesh width to bound the length.
   for (std::size_t i = 0; i < d; ++i)
     error.length_bound += run.half(i) / static_cast<double>(m - 1) * error.arm_bound;
   return error;
@@ -260,18 +263,18 @@ FitBox fit_box(const Skeleton& skeleton) {
 FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t path,
                     const FitBox& box, int order) {
   require(order >= 1 && order <= 40, "the order of a fitted path must be 1 to 40, got {}", order);
-  // Each run is fitted by itself; the errors of the runs add up.
+  // Fit each run separately and add the errors.
   const WrappedPath& whole = set.paths.at(path);
   FittedPath fit{whole.name, box, 0, {}, {}};
   for (std::size_t k = 0; k + 1 < whole.points.size(); ++k) {
     Run run(tree, run_alone(set, whole, k), box);
-    // A run that crosses no joint is constant.
+    // Add a run that crosses no joint to the constant.
     if (run.coordinates.empty()) {
       fit.constant += run.at({}).length;
       continue;
     }
     fit.runs.push_back(interpolate(run, order));
-    const FitError error = measure(run, fit.runs.back());
+    const FitError error = fit_error(run, fit.runs.back());
     fit.error.length += error.length;
     fit.error.arm += error.arm;
     fit.error.length_bound += error.length_bound;
@@ -282,7 +285,7 @@ FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t pa
 
 namespace {
 
-/// Place of a posture in a run's box, x in [-1, 1], and half the range of each coordinate.
+/// Position of a posture in a run's box, x in [-1, 1], and half the range of each coordinate.
 struct BoxPlace {
   VectorXd x, half;
 };
@@ -297,7 +300,7 @@ BoxPlace place_in_box(const FittedPath& path, const FittedRun& run, const Vector
   return place;
 }
 
-/// A tensor contracted with one vector a coordinate.
+/// Contracts a tensor with one vector per coordinate.
 double contract(const FittedRun& run, const std::vector<const VectorXd*>& by) {
   VectorXd part = run.c;
   for (const VectorXd* vector : by) {
@@ -313,7 +316,7 @@ double contract(const FittedRun& run, const std::vector<const VectorXd*>& by) {
 MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
   MatrixXd dR = MatrixXd::Zero(q.size(), q.size());
   for (const FittedRun& run : path.runs) {
-    // Polynomials and two derivatives, one coordinate at a time.
+    // Evaluate polynomials with two derivatives, one coordinate at a time.
     const std::size_t d = run.coordinates.size();
     const BoxPlace place = place_in_box(path, run, q);
     std::vector<PolynomialBasis> bases;
@@ -321,7 +324,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
     for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
     by.reserve(bases.size());
     for (const PolynomialBasis& at : bases) by.push_back(&at.T);
-    // Second derivatives: two coordinates differentiated, or one of them twice.
+    // Add the second derivatives: two coordinates differentiated, or one of them twice.
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t j = 0; j < d; ++j) {
         std::vector<const VectorXd*> twice = by;
@@ -335,7 +338,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
 }
 
 FittedLength fitted_length(const FittedPath& path, const VectorXd& q) {
-  // Sum of the runs' lengths and arms.
+  // Sum the runs' lengths and arms.
   FittedLength sum{path.constant, RowVectorXd::Zero(q.size())};
   for (const FittedRun& run : path.runs) {
     const auto [x, half] = place_in_box(path, run, q);

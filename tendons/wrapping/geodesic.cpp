@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Carries Jacobi fields over a stretch s of constant curvature K = k^2.
+/// Transports the Jacobi fields over a length s of constant curvature K = k^2.
 void carry_fields(GeodesicEnd& end, double k, double s) {
   const double c = k > 0 ? std::cos(k * s) : 1, f = k > 0 ? std::sin(k * s) / k : s;
   const GeodesicEnd was = end;
@@ -22,7 +22,7 @@ void carry_fields(GeodesicEnd& end, double k, double s) {
   end.dr = c * was.dr - k * k * f * was.r;
 }
 
-/// Great circle about `center`.
+/// Follows a great circle about `center`.
 void along_sphere(GeodesicEnd& end, const Vector3d& center, double radius, double s) {
   const Vector3d n = (end.ray.p - center) / radius, t = end.ray.t;
   const double c = std::cos(s / radius), f = std::sin(s / radius);
@@ -30,22 +30,22 @@ void along_sphere(GeodesicEnd& end, const Vector3d& center, double radius, doubl
   carry_fields(end, 1 / radius, s);
 }
 
-/// Helix about z.
+/// Follows a helix about z.
 void along_cylinder(GeodesicEnd& end, double radius, double s) {
-  // Normal, direction round the axis, and the angle that the stretch turns by.
+  // Compute the normal, the direction round the axis and the angle of rotation.
   const Vector3d n(end.ray.p.x() / radius, end.ray.p.y() / radius, 0), t = end.ray.t;
   const Vector3d round = Vector3d::UnitZ().cross(n);
   const double across = t.dot(round), angle = s * across / radius;
   const double c = std::cos(angle), f = std::sin(angle);
-  // New place and direction.
+  // Set the new position and direction.
   const Vector3d out = c * n + f * round;
   end.ray.p = radius * out + Vector3d(0, 0, end.ray.p.z() + s * t.z());
   end.ray.t = across * Vector3d::UnitZ().cross(out) + Vector3d(0, 0, t.z());
   carry_fields(end, 0, s);
 }
 
-/// Returns the angle that a great circle runs from p until its height z about `center` is zero,
-/// going on in the direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
+/// Computes the angle along a great circle from p until its height z about `center` is zero, in the
+/// direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
 double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   double u = std::atan2(-n.z(), t.z());  // a root; the others are pi apart
   while (sign * u <= 1e-12) u += sign * std::acos(-1.0);
@@ -53,36 +53,37 @@ double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   return u;
 }
 
-/// Follows the cylinder of a capsule up to the seam, or to the end. @return what is left to go [m]
+/// Follows the cylinder of a capsule up to the seam, or to the end. @return remaining length [m]
 double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1];
   const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
-  const double room =
+  const double remaining =
       climb == 0 ? std::abs(s) : (std::copysign(half, climb) - end.ray.p.z()) / climb;
-  const double step = sign * std::min(std::abs(s), std::max(room, 0.0));
+  const double step = sign * std::min(std::abs(s), std::max(remaining, 0.0));
   along_cylinder(end, radius, step);
   const double left = step == s ? 0 : s - step;
   if (left != 0) end.ray.p.z() = std::copysign(half, climb);
   return left;
 }
 
-/// Follows a cap of a capsule up to its equator, or to the end. @return what is left to go [m]
+/// Follows a cap of a capsule up to its equator, or to the end. @return remaining length [m]
 double along_cap(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1], sign = s > 0 ? 1 : -1;
   const Vector3d center(0, 0, std::copysign(half, end.ray.p.z()));
-  const double room = radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
-  const double step = sign * std::min(std::abs(s), room);
+  const double remaining =
+      radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
+  const double step = sign * std::min(std::abs(s), remaining);
   along_sphere(end, center, radius, step);
   const double left = step == s ? 0 : s - step;
   if (left != 0) end.ray.p.z() = center.z();
   return left;
 }
 
-/// Cylinder and caps in turn; `s` is what is left to go.
+/// Follows cylinder and caps of a capsule in turn; `s` is the remaining length.
 void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
   const double half = size[1];
   for (int piece = 0; piece < 64 && s != 0; ++piece) {
-    // On a seam, the direction says which piece comes next.
+    // Choose the next piece; on a seam, by the direction.
     const double climb = (s > 0 ? 1 : -1) * end.ray.t.z(), z = end.ray.p.z();
     const bool cap =
         std::abs(z) > half * (1 + 1e-14) || (std::abs(z) >= half * (1 - 1e-14) && z * climb > 0);
@@ -90,7 +91,8 @@ void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
   }
 }
 
-SurfaceShapeAt ellipsoid_at(const Vector3d& s, const Vector3d& p) {
+/// Computes normal and shape operator of an ellipsoid of semi-axes s at a point on it.
+SurfaceCurvature ellipsoid_at(const Vector3d& s, const Vector3d& p) {
   const Vector3d w = s.array().square().inverse(), gradient = w.cwiseProduct(p);
   const double size = gradient.norm();
   const Vector3d n = gradient / size;
@@ -98,27 +100,27 @@ SurfaceShapeAt ellipsoid_at(const Vector3d& s, const Vector3d& p) {
   return {n, P * w.asDiagonal() * P / size};
 }
 
-/// Gaussian curvature from the shape operator, whose third eigenvalue is 0.
-double gaussian(const Matrix3d& S) {
+/// Computes the Gaussian curvature from the shape operator, whose third eigenvalue is 0.
+double gaussian_curvature(const Matrix3d& S) {
   const double trace = S.trace();
   return 0.5 * (trace * trace - S.squaredNorm());
 }
 
-/// p, t, and the Jacobi fields with their slopes, as one vector.
+/// State of the integration: p, t, and the Jacobi fields with their slopes.
 using State = Eigen::Matrix<double, 10, 1>;
 
 State rate(const BoneSurface& surface, const State& y) {
-  const SurfaceShapeAt at = shape_at(surface, y.head<3>());
+  const SurfaceCurvature at = surface_curvature(surface, y.head<3>());
   const Vector3d t = y.segment<3>(3);
-  const double K = gaussian(at.S);
+  const double K = gaussian_curvature(at.S);
   State f;
   f << t, -t.dot(at.S * t) * at.n, y[7], -K * y[6], y[9], -K * y[8];
   return f;
 }
 
-/// Modified midpoint rule of n steps over h. Source: [Hairer1993] section II.9.
+/// Integrates by the modified midpoint rule, n steps over h. Source: [Hairer1993] section II.9.
 State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
-  // Euler step, then midpoint steps.
+  // Take an Euler step, then midpoint steps.
   const double step = h / n;
   State before = y0, now = y0 + step * rate(surface, y0);
   for (int i = 1; i < n; ++i) {
@@ -126,15 +128,15 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
     before = now;
     now = next;
   }
-  // Smoothing step at the end.
+  // Smooth the end point.
   return 0.5 * (now + before + step * rate(surface, now));
 }
 
 /// Extrapolates the midpoint rule in h^2 until two columns agree; order 2 * columns.
 State extrapolate(const BoneSurface& surface, const State& y0, double h) {
-  constexpr int kStateColumns = 9;       // Most columns of Aitken and Neville's scheme
-  std::array<State, kStateColumns> row;  // last row of Aitken and Neville's scheme
-  // Columns of Aitken and Neville's scheme.
+  constexpr int kStateColumns = 9;       // largest number of columns of the Aitken-Neville scheme
+  std::array<State, kStateColumns> row;  // last row of the scheme
+  // Add columns of the Aitken-Neville scheme.
   State best = y0;
   for (int k = 0; k < kStateColumns; ++k) {
     const double n = 2 * (k + 1);
@@ -155,11 +157,11 @@ State extrapolate(const BoneSurface& surface, const State& y0, double h) {
   return best;
 }
 
-/// Steps of at most half a radian of the surface's sharpest bend.
+/// Integrates a geodesic in steps of at most half a radian at the surface's largest curvature.
 GeodesicEnd integrate(const BoneSurface& surface, const SurfaceRay& start, double length,
-                      double sharpest) {
-  // Extrapolated steps from the start, with unit fields.
-  const int steps = std::max(1, static_cast<int>(std::ceil(2 * std::abs(length) * sharpest)));
+                      double max_curvature) {
+  // Take extrapolated steps from the start, with unit Jacobi fields.
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * std::abs(length) * max_curvature)));
   State y;
   y << start.p, start.t, 1, 0, 0, 1;
   for (int i = 0; i < steps; ++i) y = extrapolate(surface, y, length / steps);
@@ -192,7 +194,7 @@ GeodesicEnd follow_geodesic(const BoneSurface& surface, const SurfaceRay& start,
   return end;
 }
 
-SurfaceShapeAt shape_at(const BoneSurface& surface, const Vector3d& p_S) {
+SurfaceCurvature surface_curvature(const BoneSurface& surface, const Vector3d& p_S) {
   if (surface.shape == SurfaceShape::kEllipsoid) return ellipsoid_at(surface.size, p_S);
   const SurfaceProbe at = probe(surface, p_S);
   return {at.normal, at.curvature};
@@ -215,7 +217,7 @@ SurfaceRay project_to_surface(const BoneSurface& surface, const SurfaceRay& near
     p -= at.gap * at.normal;
   }
   // Make the direction a unit tangent.
-  const Vector3d n = shape_at(surface, p).n;
+  const Vector3d n = surface_curvature(surface, p).n;
   return {p, (near.t - near.t.dot(n) * n).normalized()};
 }
 

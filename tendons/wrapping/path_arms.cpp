@@ -29,9 +29,9 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
               double scale, Row row) {
   int a = span.link_a, b = span.link_b;
   if (a == b) return;
-  // Direction and moment of the run's line.
+  // Compute direction and moment of the run's line.
   const Vector3d u = scale * span.u;
-  const Vector3d moment = span.a.cross(u);  // of the run's line about the origin
+  const Vector3d moment = span.a.cross(u);
   // Climb both branches up to the common ancestor.
   while (a != b) {
     const bool climb_b = b > a;
@@ -43,18 +43,19 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
   }
 }
 
-/// Place of an origin on its carrier.
-struct Ride {
+/// Riding origin on its carrier.
+struct RidingOrigin {
   const PathShape* carrier;
-  const PathSpan* span;  // of the carrier
-  Vector3d p;            // the origin
-  Vector3d u;            // unit, from the rider's last run into the origin
-  Vector3d v;            // unit, along the carrier towards its origin
-  double share;          // of the way along the span
+  const PathSpan* span;  // span of the carrier
+  Vector3d p;            // position of the origin
+  Vector3d u;            // unit direction of the rider's last run, into the origin
+  Vector3d v;            // unit direction along the carrier towards its origin
+  double share;          // fraction of the span's length
 };
-Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size_t path) {
+RidingOrigin riding_origin(const PathSet& set, const std::vector<PathShape>& shapes,
+                           std::size_t path) {
   const PathShape& rider = shapes[path];
-  Ride ride;
+  RidingOrigin ride;
   ride.carrier = &shapes[set.paths[path].carrier];
   ride.span = &ride.carrier->spans[rider.ride_span];
   ride.p = rider.spans.back().b;
@@ -65,25 +66,26 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
   return ride;
 }
 
-/// -u . dx/dq of an origin x that stays at a fixed distance from its carrier's insertion:
-/// dx = da + v (excursion before a) + share (1 - v v') (db - da).
+/// Adds  -u . dx/dq  of an origin x that stays at a fixed distance from its carrier's insertion: dx
+/// = da + v (excursion before a) + share (1 - v v') (db - da).
 void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                 const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
-  const Ride ride = ride_of(set, shapes, path);
-  // Part of the pull along the carrier, and the rest across it.
+  const RidingOrigin ride = riding_origin(set, shapes, path);
+  // Split the pull into the part along the carrier and the rest across it.
   const double along = ride.u.dot(ride.v);
   const Vector3d across = ride.u - along * ride.v;
   add_motion(tree, state, ride.span->link_a, ride.span->a,
              -along * ride.v - (1 - ride.share) * across, row);
   add_motion(tree, state, ride.span->link_b, ride.span->b, -ride.share * across, row);
-  // The part along the carrier shortens with that tendon.
+  // Add the part along the carrier, which shortens with that tendon.
   for (const PathSpan* span = ride.carrier->spans.data(); span != ride.span; ++span)
     add_span(tree, state, *span, -along, row);
 }
 
+/// Adds the moment arms of a whole path to a row.
 void add_path(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
               const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
-  // Spans between links, and the last one of a riding tendon.
+  // Add spans between links, and the last one of a riding tendon.
   for (const PathSpan& span : shapes[path].spans) {
     if (span.link_b != kRiding) {
       add_span(tree, state, span, 1, row);
@@ -94,12 +96,12 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
   }
 }
 
-/// Sums wrenches by link.
+/// Sum of wrenches by link.
 class PathWrenches {
  public:
   void add(int link, const Vector3d& at, const Vector3d& f) { add(link, wrench_of_force(at, f)); }
   void add(int link, const Wrench& wrench) {
-    // Add to the link's sum if it has one.
+    // Add to the link's sum, or start one.
     for (LinkWrench& sum : all)
       if (sum.link == link) {
         sum.wrench += wrench;
@@ -112,18 +114,19 @@ class PathWrenches {
 
 using Spatial = Eigen::Matrix<double, 6, 1>;
 
-/// Pressure of an arc in frame S between two lengths along it, by five-point Gauss quadrature.
+/// Integrates the pressure of an arc in frame S between two lengths along it, by five-point Gauss
+/// quadrature.
 Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to) {
   static constexpr std::array<double, 3> kAt{0.0, 0.538469310105683091, 0.906179845938663993};
   static constexpr std::array<double, 3> kWeight{0.568888888888888889, 0.478628670499366468,
                                                  0.236926885056189088};
-  // Gauss points: tension times curvature is the force per length.
+  // Sum over Gauss points: the force per length is tension times curvature.
   Spatial sum = Spatial::Zero();
   for (int i = -2; i <= 2; ++i) {
     const auto k = static_cast<std::size_t>(std::abs(i));
     const double s = 0.5 * (from + to) + 0.5 * (to - from) * (i < 0 ? -kAt[k] : kAt[k]);
     const SurfaceRay ray = follow_geodesic(surface, arc.start, s).ray;
-    const SurfaceShapeAt at = shape_at(surface, ray.p);
+    const SurfaceCurvature at = surface_curvature(surface, ray.p);
     const Vector3d f = -ray.t.dot(at.S * ray.t) * at.n;
     sum.head<3>() += 0.5 * (to - from) * kWeight[k] * ray.p.cross(f);
     sum.tail<3>() += 0.5 * (to - from) * kWeight[k] * f;
@@ -131,11 +134,12 @@ Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, do
   return sum;
 }
 
-/// Halves the arc until the quadrature agrees with itself: a capsule's seams have a jump.
+/// Integrates the pressure by halving the arc until the quadrature converges: it jumps at the seams
+/// of a capsule.
 // NOLINTNEXTLINE(misc-no-recursion): at most `depth` deep
 Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
                        const Spatial& coarse, int depth) {
-  // Two halves against the whole.
+  // Compare two halves with the whole.
   const double half = 0.5 * (from + to);
   const Spatial left = pressure(surface, arc, from, half), right = pressure(surface, arc, half, to);
   const double change = (left + right - coarse).lpNorm<Eigen::Infinity>();
@@ -144,24 +148,25 @@ Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double fr
          whole_pressure(surface, arc, half, to, right, depth - 1);
 }
 
+/// Adds the wrench of one arc under a tension.
 void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
              PathWrenches& wrenches) {
-  // Total pressure of the arc, in the frame of its surface.
+  // Integrate the pressure of the arc, in the frame of its surface.
   const BoneSurface& surface = set.surfaces[arc.surface];
   const double length = arc.arc.length;
   const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
                                              pressure(surface, arc.arc, 0, length), 40);
-  // The same in the world, on the link that carries the surface.
-  const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+  // Transform it to the world, on the link that carries the surface.
+  const Pose<double> X = surface_pose(surface, state);
   const Vector3d f = X.R * w.tail<3>();
   wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
 }
 
-/// The first runs of a tendon.
+/// First runs of a tendon.
 struct PathPart {
   const PathShape& shape;
-  std::size_t spans;  // runs
-  bool cut;           // the last of them ends in the air
+  std::size_t spans;  // number of runs
+  bool cut;           // true: the last of them has a free end
 };
 
 /// Adds the wrenches of a part of a tendon under a tension.
@@ -169,12 +174,12 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathPart
               double tension, PathWrenches& wrenches) {
   const auto& [shape, spans, cut] = part;
   const std::vector<PathArc>& arcs = shape.arcs;
-  const auto touches = [&](std::size_t span, bool end) {  // an arc begins or ends there
+  const auto touches = [&](std::size_t span, bool end) {  // true: an arc begins or ends there
     return std::any_of(arcs.begin(), arcs.end(), [&](const PathArc& arc) {
       return arc.after == static_cast<int>(span) - (end ? 0 : 1);
     });
   };
-  // Ends of spans that are fixed points are pulled along the span.
+  // Pull the ends of spans that are fixed points along the span.
   for (std::size_t s = 0; s < spans; ++s) {
     const PathSpan& span = shape.spans[s];
     const Vector3d pull = tension * span.u;
@@ -182,7 +187,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathPart
     if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
       wrenches.add(span.link_b, span.b, -pull);
   }
-  // Arcs within the part press on their surfaces.
+  // Add the pressure of arcs within the part.
   for (const PathArc& arc : arcs)
     if (arc.after + 1 < static_cast<int>(spans)) add_arc(state, set, arc, tension, wrenches);
 }
@@ -211,13 +216,13 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
 
 std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
                                       const std::vector<PathShape>& shapes, std::size_t path) {
-  // The tendon itself.
+  // Add the wrenches of the tendon itself.
   PathWrenches wrenches;
   add_part(state, set, {shapes[path], shapes[path].spans.size(), /*cut=*/false}, 1, wrenches);
   if (set.paths[path].carrier < 0) return wrenches.all;
-  // The carrier takes the rider's pull -u: what lies along it as less tension towards its
-  // insertion, what lies across it by lever on the two ends of the run.
-  const Ride ride = ride_of(set, shapes, path);
+  // Apply the rider's pull -u to the carrier: its component along the carrier reduces the
+  // tension towards the insertion; the rest acts on the two ends of the run by lever.
+  const RidingOrigin ride = riding_origin(set, shapes, path);
   const double along = ride.u.dot(ride.v);
   const Vector3d across = ride.u - along * ride.v;
   wrenches.add(ride.span->link_a, ride.span->a, -(1 - ride.share) * across);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moment arms of wrapped tendons, by two methods that share nothing but the path.
+/// Moment arms of wrapped tendons, by two independent methods.
 
 #include <vector>
 
@@ -11,30 +11,31 @@
 
 namespace thenar {
 
-/// Moment arms by virtual work,  R_j = -dL/dq_j,  flexion positive [m/rad] (paths, coordinates).
-/// A touch point counts as fixed to its surface's link: where the path is tangent, sliding it does
-/// not change the length. An origin that rides on another tendon brings in that tendon's excursion
-/// on the way from its insertion, so a pull there unloads that part of the carrier.
-/// @param R  written in full; its shape must be (paths, coordinates)
+/// Computes moment arms by virtual work,  R_j = -dL/dq_j,  flexion positive [m/rad] (paths,
+/// coordinates). A touch point counts as fixed to its surface's link: where the path is tangent,
+/// sliding it does not change the length. An origin that rides on another tendon adds that tendon's
+/// excursion between its insertion and the origin, so a pull there unloads that part of the
+/// carrier.
+/// @param R  result, all entries overwritten; its shape must be (paths, coordinates)
 /// Source: [An1983] for the sign.
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, Eigen::Ref<Eigen::MatrixXd> R);
 
-/// Writes the arms of each path over a row of R; the other rows stay.
-/// @param rows  of each path; -1: it is left out (paths)
+/// Overwrites selected rows of R with the moment arms of paths; other rows keep their values.
+/// @param rows  row for each path; -1: skip the path (paths)
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, const std::vector<int>& rows,
                Eigen::Ref<Eigen::MatrixXd> R);
 
-/// Computes the wrenches of a tendon under unit tension on the bones: pulls at its ends, kinks at
-/// its points, and the normal pressure  T dt/ds  integrated along every arc. The links' wrenches
-/// sum to zero.
+/// Computes the wrenches on the bones of a tendon under unit tension: pulls at its ends, kinks at
+/// its points, and the normal pressure  T dt/ds  integrated along every arc. They sum to zero.
 [[nodiscard]] std::vector<LinkWrench> path_wrenches(const TreeState<double>& state,
                                                     const PathSet& set,
                                                     const std::vector<PathShape>& shapes,
                                                     std::size_t path);
 
-/// Rate of a path's length,  dL/dt = sum of  u . (v_b - v_a)  over its straight runs [m/s].
+/// Computes the rate of a path's length,  dL/dt = sum of  u . (v_b - v_a)  over its straight runs
+/// [m/s].
 /// @param q_dot  joint velocities [rad/s] (coordinates)
 [[nodiscard]] double path_velocity(const Tree<double>& tree, const TreeState<double>& state,
                                    const PathSet& set, const std::vector<PathShape>& shapes,

@@ -11,16 +11,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMostKink = 1e-11;  // Largest kink of a taut path [rad]
-// Most attempts of Newton's method around the equilibrium of the beads
+constexpr double kMaxKink = 1e-11;  // largest kink of a taut path [rad]
+// Attempts of Newton's method around the equilibrium of the beads
 constexpr int kNewtonAttempts = 24;
-constexpr double kInsideDepth = 1e-9;  // Largest depth of a point in a surface beside it [m]
+constexpr double kInsideDepth = 1e-9;  // largest depth of a point in an adjacent surface [m]
 
 bool is_round(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;
 }
 
-/// Returns the depth of a point inside a surface, 0 outside [m].
+/// Computes the depth of a point inside a surface, 0 outside [m].
 double depth_of(const BoneSurface& surface, const Vector3d& p) {
   const double r = surface.size[0];
   switch (surface.shape) {
@@ -38,19 +38,19 @@ double depth_of(const BoneSurface& surface, const Vector3d& p) {
 }
 
 /// Point of a carrier at the distance `ride` from its insertion.
-struct Ridden {
+struct RiddenPoint {
   Vector3d p;
-  int span;  // on which that is, or before the arc on which it is
+  int span;  // span on which it lies, or before the arc on which it lies
   bool on_arc;
 };
-Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathShape& carrier,
-               double ride) {
-  // Walk along runs and arcs in turn until `ride` is used up.
+RiddenPoint point_along_carrier(const PathSet& set, const TreeState<double>& state,
+                                const PathShape& carrier, double ride) {
+  // Walk along runs and arcs in turn until the distance is used up.
   auto arc = carrier.arcs.begin();
   const std::size_t spans = carrier.spans.size();
   for (std::size_t s = 0; s < spans; ++s) {
     const double length = carrier.spans[s].length;
-    if (ride <= length || s + 1 == spans)  // beyond the origin it goes on straight
+    if (ride <= length || s + 1 == spans)  // extend the last run beyond the origin
       return {carrier.spans[s].a + ride * carrier.spans[s].u, static_cast<int>(s), false};
     ride -= length;
     for (; arc != carrier.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
@@ -65,7 +65,7 @@ Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathSha
   return {carrier.spans.back().b, static_cast<int>(spans) - 1, false};
 }
 
-/// Lengths of the runs between two points of one link; negative for others.
+/// Returns the lengths of the runs between two points of one link; negative for other runs.
 std::vector<double> rigid_lengths(const WrappedPath& path) {
   std::vector<double> lengths;
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
@@ -77,6 +77,7 @@ std::vector<double> rigid_lengths(const WrappedPath& path) {
   return lengths;
 }
 
+/// Appends a straight run. @param length  known length; negative: compute it [m]
 void add_span(PathShape& shape, int link_a, int link_b, const Vector3d& a, const Vector3d& b,
               double length) {
   if (length < 0) length = (b - a).norm();
@@ -84,15 +85,15 @@ void add_span(PathShape& shape, int link_a, int link_b, const Vector3d& a, const
   shape.spans.push_back({link_a, link_b, a, b, length, (length > 0 ? 1 / length : 0.0) * (b - a)});
 }
 
-/// Moves the starts of arcs somewhat, differently in every attempt and not at all in the first.
-void nudge(std::vector<ChainArc>& chain, int attempt) {
+/// Perturbs the starts of arcs, differently in every attempt and not at all in the first.
+void perturb_starts(std::vector<ChainArc>& chain, int attempt) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const double golden = 2.4 * (attempt + static_cast<double>(i)), far = 0.03 * attempt;
     const BoneSurface& surface = *chain[i].surface;
     const bool egg = surface.shape == SurfaceShape::kEllipsoid;
     const double radius = egg ? surface.size.minCoeff() : surface.size[0];
     SurfaceRay& start = chain[i].arc.start;
-    const Vector3d across = start.t.cross(shape_at(surface, start.p).n);
+    const Vector3d across = start.t.cross(surface_curvature(surface, start.p).n);
     start = project_to_surface(
         surface, {start.p + far * radius * (std::cos(golden) * start.t + std::sin(golden) * across),
                   start.t + far * std::sin(2 * golden) * across});
@@ -111,7 +112,7 @@ PathSolver::PathSolver(const PathSet& set)
     rigid_.push_back(rigid_lengths(path));
     if (path.carrier >= 0) carries_[path.carrier] = true;
   }
-  // Points that can turn about a cylinder beside them, with their angle at the reference posture.
+  // List the points that can move round an adjacent cylinder, with their reference direction.
   for (std::size_t p = 0; p < set.paths.size(); ++p) {
     const WrappedPath& path = set.paths[p];
     far_[p].resize(path.bends.size());
@@ -121,16 +122,16 @@ PathSolver::PathSolver(const PathSet& set)
         if (surface.shape != SurfaceShape::kCylinder) continue;
         for (const bool at_b : {false, true}) {
           const WrapPoint& point = path.points[at_b ? k + 1 : k];
-          if (point.link == surface.link) continue;  // it never moves round it
+          if (point.link == surface.link) continue;  // fixed to the cylinder's link
           const Vector3d at = surface.X.inverse() * point.p;
           far_[p][k].push_back({at_b, bend.surface, at.head<2>(), bend.side_S.head<2>()});
         }
       }
   }
-  // Reserved once, so that solving uses no heap.
+  // Reserve memory once, so that solving allocates none.
   slots_.reserve(kMaxWraps);
   chain_.reserve(kMaxWraps);
-  rest_.reserve(kMaxWraps);
+  bead_chain_.reserve(kMaxWraps);
   single_.reserve(1);
 }
 
@@ -143,10 +144,7 @@ const std::vector<PathShape>& PathSolver::solve_for_arms(const TreeState<double>
 }
 
 const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state, bool all) {
-  for (std::size_t i = 0; i < X_.size(); ++i) {
-    const BoneSurface& surface = set_->surfaces[i];
-    X_[i] = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
-  }
+  for (std::size_t i = 0; i < X_.size(); ++i) X_[i] = surface_pose(set_->surfaces[i], state);
   for (std::size_t k = 0; k < shapes_.size(); ++k)
     solve_path(k, state, all || carries_[k] || set_->paths[k].carrier >= 0);
   return shapes_;
@@ -163,12 +161,12 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool 
   shape.spans.clear();
   shape.arcs.clear();
   crossed_ = false;
-  // Runs in turn, from the insertion to the origin.
+  // Solve the runs in turn, from the insertion to the origin.
   PathEnds ends{};
   const auto place = [&](const WrapPoint& point) { return moved(state, point.link, point.p); };
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
     const WrapPoint &from = path.points[i], &to = path.points[i + 1];
-    const bool follows = i > 0 && (all || rigid_[k][i - 1] < 0);  // its begin is known by now
+    const bool follows = i > 0 && (all || rigid_[k][i - 1] < 0);  // its start is the end before
     if (!all && rigid_[k][i] >= 0) {
       shape.length += rigid_[k][i];
       continue;
@@ -179,23 +177,23 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool 
     ends.link_b = to.link;
     ends.length = rigid_[k][i];
     ends.far = &far_[k][i];
-    // An origin that rides lies on its carrier's path, which is solved by now.
+    // Place a riding origin on its carrier's path, which is solved already.
     if (path.carrier >= 0 && i + 2 == path.points.size()) {
       crossed_ = crossed_ || has_crossed(ends);
-      ride(k, state, ends, shape);
+      place_riding_origin(k, state, ends, shape);
     }
     add_run(path.bends[i], ends, shape);
   }
   set_directions(shape);
-  // The worst finding decides the status.
+  // Set the status by the worst finding.
   if (!std::isfinite(shape.length)) shape.error = 1;
   if (crossed_) shape.status = PathStatus::kFarSideWrap;
-  if (!(shape.error <= kMostKink)) shape.status = PathStatus::kStalled;
+  if (!(shape.error <= kMaxKink)) shape.status = PathStatus::kStalled;
   if (!(shape.depth <= kInsideDepth)) shape.status = PathStatus::kPointInside;
 }
 
-/// Gives short runs next to an arc its tangent: a point on the surface that the tendon bends over,
-/// or inside it by rounding, has no run of its own that tells where the tendon pulls it.
+/// Gives short runs next to an arc the arc's tangent: a point on the surface over which the tendon
+/// bends, or inside it by rounding, has no run that defines the direction of the pull.
 void PathSolver::set_directions(PathShape& shape) const {
   for (const PathArc& arc : shape.arcs) {
     const auto i = static_cast<std::size_t>(arc.surface);
@@ -207,18 +205,18 @@ void PathSolver::set_directions(PathShape& shape) const {
   }
 }
 
-/// Moves the origin of a path that rides to its carrier.
-void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& last,
-                      PathShape& shape) const {
+/// Moves a riding origin onto its carrier.
+void PathSolver::place_riding_origin(std::size_t k, const TreeState<double>& state, PathEnds& last,
+                                     PathShape& shape) const {
   const WrappedPath& path = set_->paths[k];
   const PathShape& carrier = shapes_[path.carrier];
-  const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
+  const RiddenPoint ridden = point_along_carrier(*set_, state, carrier, path.ride);
   static const std::vector<FarSide> kNone;
   last.b = ridden.p;
   last.link_b = kRiding;
-  last.far = &kNone;  // its point as it is fixed was looked at
+  last.far = &kNone;  // tested already at the fixed point
   shape.ride_span = ridden.span;
-  shape.error = std::max(shape.error, carrier.error);  // a rider is no better than its carrier
+  shape.error = std::max(shape.error, carrier.error);  // includes the carrier's error
   shape.depth = std::max(shape.depth, carrier.depth);
   if (ridden.on_arc) shape.status = PathStatus::kRidesOnBend;
   for (const PathArc& arc : carrier.arcs)
@@ -226,8 +224,8 @@ void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& l
       shape.status = PathStatus::kRidesOnBend;
 }
 
-/// Returns whether an end of a run went round the far side of a cylinder beside it. Joints turn by
-/// less than half a turn, so the reference posture tells which way it came.
+/// Returns whether an end of a run went round the far side of an adjacent cylinder. Joints rotate
+/// by less than half a turn, so the reference posture defines the way that it came.
 bool PathSolver::has_crossed(const PathEnds& ends) const {
   return std::any_of(ends.far->begin(), ends.far->end(), [&](const FarSide& far) {
     const Pose<double>& X = X_[far.surface];
@@ -238,19 +236,19 @@ bool PathSolver::has_crossed(const PathEnds& ends) const {
 
 void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& ends,
                          PathShape& shape) {
-  // One round surface is solved in closed form.
-  if (bends.size() == 1 && add_round(bends[0], ends, shape)) return;
+  // Solve one round surface in closed form.
+  if (bends.size() == 1 && add_round_run(bends[0], ends, shape)) return;
   crossed_ = crossed_ || has_crossed(ends);
-  // Ends that lie inside a surface.
+  // Measure the depth of ends inside surfaces.
   for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const Pose<double> to_S = X_[i].inverse();
     shape.depth = std::max({shape.depth, depth_of(set_->surfaces[i], to_S * ends.a),
                             depth_of(set_->surfaces[i], to_S * ends.b)});
   }
-  // Several surfaces, or other shapes: iterate.
-  if (!bends.empty()) tighten(bends, ends.a, ends.b, shape);
-  // Straight spans and arcs in turn.
+  // Iterate for several surfaces or other shapes.
+  if (!bends.empty()) tighten_run(bends, ends.a, ends.b, shape);
+  // Append straight spans and arcs in turn.
   int link = ends.link_a;
   Vector3d from = ends.a;
   for (std::size_t i = 0; i < bends.size(); ++i) {
@@ -267,12 +265,12 @@ void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& end
   add_span(shape, link, ends.link_b, from, ends.b, ends.length);
 }
 
-/// The usual run, over one sphere or cylinder, without any detour; false for other surfaces.
-bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape) {
+/// Appends a run over one sphere or cylinder, the common case; returns false for other surfaces.
+bool PathSolver::add_round_run(const PathWrap& bend, const PathEnds& ends, PathShape& shape) {
   const auto i = static_cast<std::size_t>(bend.surface);
   const BoneSurface& surface = set_->surfaces[i];
   if (!is_round(surface)) return false;
-  // Ends in the surface's frame.
+  // Transform the ends into the surface's frame and test them.
   const Pose<double>& X = X_[i];
   const Vector3d a_S = X.R.transpose() * (ends.a - X.p), b_S = X.R.transpose() * (ends.b - X.p);
   shape.depth = std::max({shape.depth, depth_of(surface, a_S), depth_of(surface, b_S)});
@@ -280,12 +278,12 @@ bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape
     crossed_ =
         crossed_ || crossed_far_side(far.side, far.reference, (far.at_b ? b_S : a_S).head<2>());
   const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
-  // The string misses the surface: one straight span.
+  // Append one straight span where the string misses the surface.
   if (!wrap) {
     add_span(shape, ends.link_a, ends.link_b, ends.a, ends.b, -1);
     return true;
   }
-  // Span, arc, span.
+  // Append span, arc and span.
   const Vector3d touch_b = X * wrap->end;
   add_span(shape, ends.link_a, surface.link, ends.a, X * wrap->arc.start.p, -1);
   shape.arcs.push_back({bend.surface, static_cast<int>(shape.spans.size()) - 1, wrap->arc});
@@ -294,23 +292,23 @@ bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape
   return true;
 }
 
-/// One surface between two points of the string; `on` is false where the string misses it.
-void PathSolver::wrap_one(std::size_t i, const PathWrap& bend, const Vector3d& a, const Vector3d& b,
-                          PathShape& shape) {
+/// Wraps the string between two points over one surface; `on` is false where the string misses it.
+void PathSolver::wrap_surface(std::size_t i, const PathWrap& bend, const Vector3d& a,
+                              const Vector3d& b, PathShape& shape) {
   const auto s = static_cast<std::size_t>(bend.surface);
   const BoneSurface& surface = set_->surfaces[s];
   const Pose<double>& X = X_[s];
   const Pose<double> to_S = X.inverse();
   const Vector3d a_S = to_S * a, b_S = to_S * b;
   Slot& slot = slots_[i];
-  // Round surfaces: closed form.
+  // Use the closed form for round surfaces.
   if (is_round(surface)) {
     const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
     slot.on = wrap.has_value();
     if (slot.on) slot = {true, 0, {&surface, X, wrap->arc}, X * wrap->arc.start.p, X * wrap->end};
     return;
   }
-  // Other surfaces: Newton's method from an initial arc.
+  // Use Newton's method from an initial arc for others.
   const auto arc = initial_arc(surface, a_S, b_S, bend.side_S);
   slot.on = arc.has_value();
   if (!slot.on) return;
@@ -320,52 +318,54 @@ void PathSolver::wrap_one(std::size_t i, const PathWrap& bend, const Vector3d& a
   slot.error = fit.error;
   slot.link = single_[0];
   slot.on = slot.link.arc.length > 0;
-  set_touches(slot);
+  update_touch_points(slot);
 }
 
-void PathSolver::set_touches(Slot& slot) {
+void PathSolver::update_touch_points(Slot& slot) {
   const ChainArc& link = slot.link;
   slot.touch_a = link.X * link.arc.start.p;
   slot.touch_b = link.X * follow_geodesic(*link.surface, link.arc.start, link.arc.length).ray.p;
 }
 
-/// Surfaces in turn, each between its neighbours as they are, until none moves: the string gets
-/// shorter each time. Then all that touch at once, by Newton's method. If that does not get there,
-/// a string of beads says which surfaces touch and about where; around that it is tried again.
-void PathSolver::tighten(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
-                         PathShape& shape) {
-  // Start: relax the surfaces one at a time, then solve for all of them.
+/// Solves a run over several surfaces. First each surface in turn, between its neighbours, until no
+/// touch point moves: the string becomes shorter each time. Then all surfaces in contact together,
+/// by Newton's method. If that does not converge, a string of beads finds which surfaces are in
+/// contact, and Newton's method starts near its arcs.
+void PathSolver::tighten_run(const std::vector<PathWrap>& bends, const Vector3d& a,
+                             const Vector3d& b, PathShape& shape) {
+  // Relax the surfaces one at a time, then solve for all of them.
   slots_.assign(bends.size(), Slot{});
-  sweep(bends, a, b, shape);
-  double error = settle_on(bends, a, b, shape);
-  // A contracted string of beads says which surfaces touch.
-  if (!(error <= kMostKink)) {
-    start_over_sides(bends);
+  sweep_surfaces(bends, a, b, shape);
+  double error = solve_clear_contacts(bends, a, b, shape);
+  // Find the surfaces in contact by a contracted string of beads.
+  if (!(error <= kMaxKink)) {
+    start_chain_at_sides(bends);
     contract_beads(a, b, 400, chain_);
-    rest_ = chain_;
+    bead_chain_ = chain_;
   }
-  // Newton's method again, from slightly different starts.
-  for (int attempt = 0; !(error <= kMostKink) && attempt < kNewtonAttempts; ++attempt) {
-    chain_ = rest_;
-    nudge(chain_, attempt);
-    take_chain(bends);
-    error = settle_on(bends, a, b, shape);
+  // Repeat Newton's method from slightly different starts.
+  for (int attempt = 0; !(error <= kMaxKink) && attempt < kNewtonAttempts; ++attempt) {
+    chain_ = bead_chain_;
+    perturb_starts(chain_, attempt);
+    load_slots(bends);
+    error = solve_clear_contacts(bends, a, b, shape);
   }
   shape.error = std::max(shape.error, error);
 }
 
-/// Newton's method on all slots that are on, without those that lift off on the way.
+/// Solves the contacts of all slots that are on by Newton's method, and drops surfaces that lift
+/// off.
 /// @return largest kink [rad]
-double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShape& shape) {
+double PathSolver::solve_contacts(const Vector3d& a, const Vector3d& b, PathShape& shape) {
   for (std::size_t round = 0; round <= slots_.size(); ++round) {
-    // All surfaces in contact, solved together.
+    // Solve all surfaces in contact together.
     chain_.clear();
     for (const Slot& slot : slots_)
       if (slot.on) chain_.push_back(slot.link);
     if (chain_.empty()) return 0;
     const ChainFit fit = solve_tangency(a, b, chain_);
     shape.iterations += fit.iterations;
-    // Surfaces whose arcs came out negative have lifted off.
+    // Drop surfaces with a negative arc length: they have lifted off.
     bool lifts = false;
     std::size_t next = 0;
     for (Slot& slot : slots_) {
@@ -373,23 +373,23 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
       slot.link = chain_[next++];
       slot.on = slot.link.arc.length >= 0;
       lifts = lifts || !slot.on;
-      set_touches(slot);
+      update_touch_points(slot);
     }
     if (!lifts) return fit.error;
   }
   return 1;
 }
 
-/// Settles the touch points with touch_together(), and returns 1 if a run then passes through a
-/// surface that lifted off. A point that is inside has no way around.
+/// Solves the contacts with solve_contacts(), and returns 1 if a run then passes through a surface
+/// that lifted off. For a point that is inside a surface this test is skipped.
 /// @return largest kink [rad]
-double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d& a,
-                             const Vector3d& b, PathShape& shape) {
-  const double error = touch_together(a, b, shape);
+double PathSolver::solve_clear_contacts(const std::vector<PathWrap>& bends, const Vector3d& a,
+                                        const Vector3d& b, PathShape& shape) {
+  const double error = solve_contacts(a, b, shape);
   return shape.depth > kInsideDepth || runs_clear(bends, a, b) ? error : 1;
 }
 
-/// Returns whether the straight runs between touched surfaces clear all other surfaces.
+/// Returns whether the straight runs between surfaces in contact clear all other surfaces.
 bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& a,
                             const Vector3d& b) const {
   Vector3d from = a;
@@ -398,67 +398,67 @@ bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& 
       from = slots_[i].touch_b;
       continue;
     }
-    // The run goes on to the next surface that is touched.
+    // Find the end of the run: the next surface in contact.
     Vector3d to = b;
     for (std::size_t k = bends.size(); k-- > i + 1;)
       if (slots_[k].on) to = slots_[k].touch_a;
     const auto s = static_cast<std::size_t>(bends[i].surface);
     const Pose<double> to_S = X_[s].inverse();
-    if (!(clearance(set_->surfaces[s], to_S * from, to_S * to) >= -kInsideDepth)) return false;
+    if (!(min_level(set_->surfaces[s], to_S * from, to_S * to) >= -kInsideDepth)) return false;
   }
   return true;
 }
 
-/// Every surface of the run, touched at its side.
-void PathSolver::start_over_sides(const std::vector<PathWrap>& bends) {
+/// Starts a chain with every surface of the run, in contact at its side.
+void PathSolver::start_chain_at_sides(const std::vector<PathWrap>& bends) {
   chain_.clear();
   for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const BoneSurface& surface = set_->surfaces[i];
-    // The hole of a torus is passed, not its wall.
+    // Start in the hole of a torus, not on its wall.
     const SurfaceRay start{bend.side_S, Vector3d::UnitX()};
     const bool ring = surface.shape == SurfaceShape::kTorus;
     chain_.push_back({&surface, X_[i], {ring ? start : project_to_surface(surface, start), 0}});
   }
 }
 
-/// Puts the arcs of the chain back into the slots of their surfaces.
-void PathSolver::take_chain(const std::vector<PathWrap>& bends) {
+/// Copies the arcs of the chain into the slots of their surfaces.
+void PathSolver::load_slots(const std::vector<PathWrap>& bends) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const BoneSurface* surface = &set_->surfaces[bends[i].surface];
     slots_[i].on = next < chain_.size() && chain_[next].surface == surface;
     if (!slots_[i].on) continue;
     slots_[i].link = chain_[next++];
-    set_touches(slots_[i]);
+    update_touch_points(slots_[i]);
   }
 }
 
-/// wrap_one() between its neighbours in contact, or a and b.
-/// @return how far its touch points move [m]; 1 if the surface comes on or lifts off
-double PathSolver::rewrap(std::size_t i, const PathWrap& bend, const Vector3d& a, const Vector3d& b,
-                          PathShape& shape) {
+/// Repeats wrap_surface() between the neighbours in contact, or a and b.
+/// @return displacement of its touch points [m]; 1 if contact starts or ends
+double PathSolver::update_wrap(std::size_t i, const PathWrap& bend, const Vector3d& a,
+                               const Vector3d& b, PathShape& shape) {
   Vector3d before = a, after = b;
   for (std::size_t k = 0; k < i; ++k)
     if (slots_[k].on) before = slots_[k].touch_b;
   for (std::size_t k = slots_.size(); k-- > i + 1;)
     if (slots_[k].on) after = slots_[k].touch_a;
   const Slot was = slots_[i];
-  wrap_one(i, bend, before, after, shape);
+  wrap_surface(i, bend, before, after, shape);
   if (was.on != slots_[i].on) return 1;
   if (!was.on) return 0;
   return std::max(
       {0.0, (was.touch_a - slots_[i].touch_a).norm(), (was.touch_b - slots_[i].touch_b).norm()});
 }
 
-void PathSolver::sweep(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
-                       PathShape& shape) {
-  // Gauss-Seidel over the surfaces until no touch point moves.
+void PathSolver::sweep_surfaces(const std::vector<PathWrap>& bends, const Vector3d& a,
+                                const Vector3d& b, PathShape& shape) {
+  // Iterate over the surfaces (Gauss-Seidel) until no touch point moves.
   const std::size_t m = bends.size();
   for (int pass = 0; pass < (m == 1 ? 1 : 40); ++pass) {
     double moved_by = 0, error = 0;
     for (std::size_t i = 0; i < m; ++i)
-      moved_by = std::max(moved_by, rewrap(i, bends[i], a, b, shape));
+      moved_by = std::max(moved_by, update_wrap(i, bends[i], a, b, shape));
     for (const Slot& slot : slots_)
       if (slot.on) error = std::max(error, slot.error);
     if (moved_by < 1e-6 || !(error <= 1e-3)) return;
@@ -470,7 +470,7 @@ Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
   require(spacing > 0, "points along a path need a spacing > 0, got {} m", spacing);
   std::vector<Vector3d> points;
   auto arc = shape.arcs.begin();
-  // Ends of each span, and between them samples of its arcs.
+  // Collect the ends of each span, and samples of the arcs between spans.
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     points.push_back(shape.spans[s].a);
     points.push_back(shape.spans[s].b);

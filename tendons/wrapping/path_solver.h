@@ -1,6 +1,6 @@
 #pragma once
 
-/// Solves for the paths of wrapped tendons at a posture, and for their lengths.
+/// Solver for the paths and lengths of wrapped tendons at a posture.
 
 #include <vector>
 
@@ -12,123 +12,127 @@
 
 namespace thenar {
 
+/// Outcome of a path solution.
 enum class PathStatus {
   kTaut,         // tangent everywhere to 1e-11 rad
-  kRidesOnBend,  // the origin has come where its carrier bends: arms leave its sliding across out
-  kPointInside,  // a point has moved into a surface beside it: see `depth`
-  kFarSideWrap,  // a point has gone round the far side of a cylinder beside it, over the half plane
-                 // opposite to the path's side, where the length jumps
-  kStalled       // Newton's method did not get there, or leaves a run through bone: see `error`
+  kRidesOnBend,  // the origin lies where its carrier bends: arms leave out its sliding across the
+                 // carrier
+  kPointInside,  // a point has moved into an adjacent surface: see `depth`
+  kFarSideWrap,  // a point has crossed the half plane of an adjacent cylinder opposite to the
+                 // path's side, where the length jumps
+  kStalled       // Newton's method did not converge, or a run passes through bone: see `error`
 };
 
-/// Link of an origin that rides on another tendon.
+/// Value of PathSpan::link_b for an origin that rides on another tendon.
 inline constexpr int kRiding = -2;
 
-/// Length of a run below which rounding of its ends may decide its direction [m].
+/// Run length below which rounding of its ends may decide its direction [m].
 inline constexpr double kShortRun = 1e-7;
 
-/// A straight run of a tendon, from insertion to origin, world.
+/// Straight run of a tendon, from insertion to origin, world frame.
 struct PathSpan {
-  int link_a, link_b;    // that carry its ends; -1: the base; kRiding
-  Eigen::Vector3d a, b;  // [m] (3)
+  int link_a, link_b;    // links of its ends; -1: the base; kRiding
+  Eigen::Vector3d a, b;  // ends [m] (3)
   double length;         // [m]
-  Eigen::Vector3d u;  // unit, from a to b; next to an arc, where the run is too short to tell, the
-                      // arc's tangent there; zero of a run without length or arc (3)
+  Eigen::Vector3d u;  // unit direction from a to b; for a run too short to have one, the tangent of
+                      // the adjacent arc; zero without an adjacent arc (3)
 };
 
-/// A stretch of tendon on a surface.
+/// Arc of a tendon on a surface.
 struct PathArc {
-  int surface;  // of the set
-  int after;    // span before it
-  WrapArc arc;  // where it starts, its direction and its length, frame S
+  int surface;  // index in PathSet::surfaces
+  int after;    // index of the span before it
+  WrapArc arc;  // start, direction and length, frame S
 };
 
-/// One tendon at one posture.
+/// Path of one tendon at one posture.
 struct [[nodiscard]] PathShape {
   PathStatus status = PathStatus::kTaut;  // read this first
-  double error = 0;    // largest kink, 1: bone in the way; or its carrier's [rad]
-  double depth = 0;    // of the deepest point inside a surface, likewise [m]
-  int iterations = 0;  // Newton steps; 0: all in closed form
-  double length = 0;   // [m]
+  double error = 0;    // largest kink; 1: bone in the way. Includes the carrier's [rad]
+  double depth = 0;    // depth of the deepest point inside a surface. Includes the carrier's [m]
+  int iterations = 0;  // Newton steps; 0: solved in closed form
+  double length = 0;   // total length [m]
   std::vector<PathSpan> spans;
   std::vector<PathArc> arcs;
-  int ride_span = -1;  // of the carrier, on which the origin lies; -1: the origin does not ride
+  int ride_span = -1;  // span of the carrier on which the origin lies; -1: the origin does not ride
 };
 
-/// Finds the paths of the tendons of one set, posture after posture. It holds the workspace of one
-/// thread, which changes no answer; after the first posture it uses no heap.
+/// Solver for the paths of one set of tendons at many postures. It owns a workspace, which does not
+/// affect results: use one object per thread. After the first posture it allocates no memory.
 class PathSolver {
  public:
-  /// @param set  must outlive the solver
+  /// Prepares the solver. @param set  must outlive the solver
   explicit PathSolver(const PathSet& set);
   explicit PathSolver(PathSet&& set) = delete;
 
-  /// Tendons at the pose of their links.
-  /// @return one shape a path, in the order of the set; overwritten by the next call
+  /// Solves all paths at the pose of their links.
+  /// @return one shape per path, in the order of the set; overwritten by the next call
   const std::vector<PathShape>& solve(const TreeState<double>& state);
 
-  /// Solves the paths without the runs between points of one link, which make no arm; paths that
-  /// carry or ride keep these runs. Lengths and all else equal those of solve().
+  /// Solves the paths without the runs between points of one link, which have no moment arm; paths
+  /// that carry or ride keep these runs. Lengths and all other results equal those of solve().
   const std::vector<PathShape>& solve_for_arms(const TreeState<double>& state);
 
   [[nodiscard]] const PathSet& set() const { return *set_; }
 
  private:
-  struct FarSide {  // of one cylinder and one point beside it
-    bool at_b;      // the point is the run's second
+  struct FarSide {  // test of one point against the far side of an adjacent cylinder
+    bool at_b;      // true: the point is the run's second end
     int surface;
-    Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
+    Eigen::Vector2d reference, side;  // directions across the axis at the reference posture (2)
   };
-  struct PathEnds {  // of a run between two points
+  struct PathEnds {  // run between two points
     int link_a, link_b;
     Eigen::Vector3d a, b;
-    double length;                    // if it is rigid; negative otherwise [m]
-    const std::vector<FarSide>* far;  // of the run
+    double length;                    // length of a rigid run; negative: it changes [m]
+    const std::vector<FarSide>* far;  // far-side tests of the run
   };
-  struct Slot {  // one surface of the run in work
+  struct Slot {  // surface of the current run
     bool on = false;
-    double error = 0;  // [rad]
+    double error = 0;  // largest kink [rad]
     ChainArc link;
     Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
   };
   const std::vector<PathShape>& solve(const TreeState<double>& state, bool all);
   void solve_path(std::size_t k, const TreeState<double>& state, bool all);
-  void ride(std::size_t k, const TreeState<double>& state, PathEnds& last, PathShape& shape) const;
+  void place_riding_origin(std::size_t k, const TreeState<double>& state, PathEnds& last,
+                           PathShape& shape) const;
   [[nodiscard]] bool has_crossed(const PathEnds& ends) const;
   void add_run(const std::vector<PathWrap>& bends, const PathEnds& ends, PathShape& shape);
-  bool add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
-  void tighten(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
-               const Eigen::Vector3d& b, PathShape& shape);
-  void sweep(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-             PathShape& shape);
-  double rewrap(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
-                const Eigen::Vector3d& b, PathShape& shape);
-  void wrap_one(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
-                const Eigen::Vector3d& b, PathShape& shape);
-  double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
-  double settle_on(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+  bool add_round_run(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
+  void tighten_run(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b, PathShape& shape);
+  void sweep_surfaces(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b, PathShape& shape);
+  double update_wrap(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
+                     const Eigen::Vector3d& b, PathShape& shape);
+  void wrap_surface(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
+                    const Eigen::Vector3d& b, PathShape& shape);
+  double solve_contacts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
+  double solve_clear_contacts(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b, PathShape& shape);
   [[nodiscard]] bool runs_clear(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b) const;
-  void start_over_sides(const std::vector<PathWrap>& bends);
-  void take_chain(const std::vector<PathWrap>& bends);
-  static void set_touches(Slot& slot);
+  void start_chain_at_sides(const std::vector<PathWrap>& bends);
+  void load_slots(const std::vector<PathWrap>& bends);
+  static void update_touch_points(Slot& slot);
   void set_directions(PathShape& shape) const;
 
   const PathSet* set_;
   std::vector<Pose<double>> X_;             // X_WS of each surface
   std::vector<std::vector<double>> rigid_;  // length of each run of each path; negative: it changes
-  std::vector<std::vector<std::vector<FarSide>>> far_;  // of each run of each path
-  std::vector<bool> carries_;                           // (paths)
-  bool crossed_ = false;                                // a point of the path in work
+  std::vector<std::vector<std::vector<FarSide>>> far_;  // far-side tests of each run of each path
+  std::vector<bool> carries_;                           // true: another path rides on it (paths)
+  bool crossed_ = false;  // true: a point of the current path is on a far side
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
-  std::vector<ChainArc> chain_;   // those that touch
-  std::vector<ChainArc> rest_;    // where beads rest
-  std::vector<ChainArc> single_;  // one of them
+  std::vector<ChainArc> chain_;       // surfaces in contact
+  std::vector<ChainArc> bead_chain_;  // arcs found by the beads
+  std::vector<ChainArc> single_;      // chain of one surface
 };
 
-/// Points along a tendon for drawing, at most `spacing` [m] apart on arcs, world (3, points).
+/// Samples points along a tendon for drawing, at most `spacing` [m] apart on arcs, world (3,
+/// points).
 [[nodiscard]] Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
                                            const PathShape& shape, double spacing);
 

@@ -22,12 +22,13 @@ using Map34 = Eigen::Matrix<double, 3, 4>;
 using internal::ArcEnd;
 using internal::ArcEnds;
 
-/// Computes the change of an end's frame with its shift (sigma along, eta across) and turn omega:
+/// Computes an end of an arc, with the change of its frame by shift (sigma along, eta across) and
+/// turn omega:
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
 ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
               const Row4& omega) {
   // Position and frame in the world.
-  const SurfaceShapeAt at = shape_at(*link.surface, ray.p);
+  const SurfaceCurvature at = surface_curvature(*link.surface, ray.p);
   ArcEnd end;
   end.p = link.X * ray.p;
   end.t = link.X.R * ray.t;
@@ -50,20 +51,20 @@ ArcEnds ends_of(const ChainArc& link) {
                  Row4(0, far.da, far.dr, 0))};
 }
 
-/// Residuals of the whole chain, and their Jacobian.
+/// Residuals of the tangency conditions of a chain, and their Jacobian.
 struct Tangency {
   Unknowns f;
   System J;
 };
 
-/// The other end of a run: a fixed point, or the end of an arc.
+/// Opposite end of a run: a fixed point, or the end of an arc.
 struct RunEnd {
   Vector3d p;       // world [m] (3)
-  const Map34* dp;  // how it moves with its arc; null: it is fixed
-  int column;       // of its arc's unknowns
+  const Map34* dp;  // derivative by its arc's variations; null: it is fixed
+  int column;       // first column of its arc's unknowns
 };
 
-/// Two rows: a unit run e = +-(end - other) / d against n and b of `end`.
+/// Adds the two conditions of a unit run e = +-(end - other) / d against n and b of `end`.
 /// @param sign  1 if the run arrives at the end, -1 if it leaves
 void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const RunEnd& other,
               double sign) {
@@ -80,7 +81,7 @@ void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const RunEn
   }
 }
 
-/// @param ends  of all arcs, with their derivatives (arcs)
+/// Computes residuals and Jacobian of a chain. @param ends  ends of all arcs (arcs)
 template <typename Ends>
 Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int m) {
   // Four conditions a surface; its runs end at its neighbours, or at a and b.
@@ -99,31 +100,31 @@ Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int
   return system;
 }
 
-/// An end of the string on the surface that the string bends over next, or near it.
+/// End of the string, which may lie on the surface over which the string bends next.
 struct StringEnd {
   Vector3d p;         // world [m] (3)
   bool near = false;  // within kNearbyDistance of that surface
-  double height = 0;  // over it [m]
+  double height = 0;  // signed distance from it [m]
 };
 
-constexpr double kNearbyDistance = 1e-6;  // Ends within this distance of the surface lie on it [m]
-// Height above a surface that rounding leaves to a point on it [m]
+constexpr double kNearbyDistance = 1e-6;  // distance within which an end lies on the surface [m]
+// Height above a surface that rounding gives a point on it [m]
 constexpr double kHeightRounding = 4e-18;
-constexpr double kClearRun = 1e-6;  // Least run whose length is known to enough digits [m]
+constexpr double kClearRun = 1e-6;  // smallest run whose length is accurate [m]
 
-double least_size(const BoneSurface& surface) {
+double min_size(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kEllipsoid ? surface.size.minCoeff() : surface.size[0];
 }
 
-/// Two rows in place of add_rows() at an end of the string that is near the surface: its run is too
-/// short to tell a direction. With s the way along the string from there to the touch point, D the
-/// height of the end over the tangent plane and c the curvature along the string,
+/// Replaces the two rows of add_rows() at an end of the string that is near the surface: its run is
+/// too short to define a direction. With s the distance along the string from there to the touch
+/// point, D the height of the end over the tangent plane and c the curvature along the string,
 ///   s = sqrt(s^2 + 2 D / c)  if and only if  D = 0,
-/// where the right side stays the same as the touch point moves along a circle. An end on the
-/// surface, or inside it, is the touch point: s = 0. Rounding of D changes short runs as 1 / s, by
-/// which the equation counts less.
+/// where the right side is constant as the touch point moves along a circle. An end on the surface,
+/// or inside it, is the touch point: s = 0. Rounding of D changes short runs as 1 / s, so the
+/// equation has a smaller weight there.
 /// @param scale  size of the surface [m]
-/// @param sign   1 if the string comes from that end, -1 if it goes there
+/// @param sign   1 if the string starts at that end, -1 if it ends there
 void set_near_rows(Tangency& system, int row, int own, const ArcEnd& end, const StringEnd& at,
                    double scale, double sign) {
   const Vector3d off = end.p - at.p;
@@ -133,70 +134,71 @@ void set_near_rows(Tangency& system, int row, int own, const ArcEnd& end, const 
   const double run = std::sqrt(std::max(square, 0.0));
   const double weight =
       lifted ? std::min(1.0, std::sqrt(2 * at.height * scale) / kClearRun) / scale : 1 / scale;
-  // Along the string.
+  // Row along the string.
   Row4 slope = sign * end.t.transpose() * end.dp;
   if (run > 0) slope -= (s * slope - off.transpose() * end.dn / curvature) / run;
   system.J.middleRows<2>(row).setZero();
   system.f[row] = weight * (s - run);
   system.J.block<1, 4>(row, own) = weight * slope;
-  // Across it.
+  // Row across it.
   system.f[row + 1] = off.dot(end.b) / scale;
   system.J.block<1, 4>(row + 1, own) =
       (end.b.transpose() * end.dp + off.transpose() * end.db) / scale;
 }
 
+/// Computes residuals and Jacobian of a chain whose ends may lie near their surfaces.
 Tangency tangency(const StringEnd& a, const StringEnd& b, const std::vector<ChainArc>& chain) {
   std::array<ArcEnds, kMaxWraps> ends;
   const std::size_t last = chain.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) ends[i] = ends_of(chain[i]);
   Tangency system = tangency_of(a.p, b.p, ends, static_cast<int>(chain.size()));
-  // Ends near their surfaces.
+  // Replace the rows of ends that are near their surfaces.
   const int own = 4 * static_cast<int>(last);
-  if (a.near) set_near_rows(system, 0, 0, ends[0].on, a, least_size(*chain[0].surface), 1);
+  if (a.near) set_near_rows(system, 0, 0, ends[0].on, a, min_size(*chain[0].surface), 1);
   if (b.near)
-    set_near_rows(system, own + 2, own, ends[last].off, b, least_size(*chain[last].surface), -1);
+    set_near_rows(system, own + 2, own, ends[last].off, b, min_size(*chain[last].surface), -1);
   return system;
 }
 
-/// An end of the string, which begins on the first or ends on the last arc of the chain.
+/// Classifies an end p of the string against the adjacent arc of the chain.
 StringEnd string_end(const ChainArc& link, const Vector3d& p) {
   const Vector3d p_S = link.X.inverse() * p;
   if (!(std::abs(level(*link.surface, p_S)) < kNearbyDistance)) return {p};
   return {p, true, probe(*link.surface, p_S).gap};
 }
 
-/// Moves one arc by (along, across, turn, lengthen).
+/// Moves one arc by its natural variations (along, across, turn, lengthen).
 void vary(ChainArc& link, const Eigen::Vector4d& by) {
   const SurfaceRay& was = link.arc.start;
-  const Vector3d n = shape_at(*link.surface, was.p).n, across = was.t.cross(n);
+  const Vector3d n = surface_curvature(*link.surface, was.p).n, across = was.t.cross(n);
   link.arc.start = project_to_surface(
       *link.surface,
       {was.p + by[0] * was.t + by[1] * across, std::cos(by[2]) * was.t + std::sin(by[2]) * across});
   link.arc.length += by[3];
 }
 
-/// Largest factor up to 1 that moves no arc by more than half its surface's radius or half a
-/// radian.
-double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
+/// Computes the largest factor up to 1 that moves no arc by more than half its surface's radius or
+/// half a radian.
+double max_step_factor(const std::vector<ChainArc>& chain, const Unknowns& step) {
   double most = 1;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto by = step.segment<4>(4 * static_cast<Eigen::Index>(i));
-    const double radius = least_size(*chain[i].surface);
+    const double radius = min_size(*chain[i].surface);
     const double shift = std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[3])}) / radius;
     most = std::max({most, 2 * shift, 2 * std::abs(by[2])});
   }
   return 1 / most;
 }
 
-/// Largest kink; 1, the most there is, of a chain that has no tangents.
+/// Computes the largest kink [rad]; 1, the maximum, if the residuals are not finite.
 double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::Infinity>() : 1; }
 
 }  // namespace
 
 ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<ChainArc>& chain) {
-  constexpr int kTangencySteps = 60;  // Most Newton steps
+  constexpr int kTangencySteps = 60;  // largest number of Newton steps
   const StringEnd a = string_end(chain.front(), from), b = string_end(chain.back(), to);
-  // An arc that begins at a near end starts there.
+  // Start the first arc at an end that is near its surface.
   if (a.near) {
     ChainArc& first = chain.front();
     first.arc.start =
@@ -207,12 +209,12 @@ ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<Ch
   ChainFit fit{largest_kink(now.f), 0};
   std::array<WrapArc, kMaxWraps> best;
   for (; fit.iterations < kTangencySteps && fit.error > 1e-15; ++fit.iterations) {
-    // Newton step, bounded to where the geometry still resembles the present one.
+    // Compute the Newton step and bound it to moderate moves of the arcs.
     const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
     if (!step.allFinite()) break;
     for (std::size_t i = 0; i < chain.size(); ++i) best[i] = chain[i].arc;
-    double factor = longest_step(chain, step);
-    // Halve the step until the residual falls.
+    double factor = max_step_factor(chain, step);
+    // Halve the step until the residual decreases.
     bool better = false;
     for (int halving = 0; halving < 12 && !better; ++halving, factor *= 0.5) {
       for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -227,7 +229,7 @@ ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<Ch
         fit.error = largest_kink(now.f);
       }
     }
-    // No step helps: stay at the best point.
+    // Restore the best arcs if no step decreases the residual.
     if (better) continue;
     for (std::size_t i = 0; i < chain.size(); ++i) chain[i].arc = best[i];
     break;
@@ -238,13 +240,13 @@ ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<Ch
 namespace internal {
 namespace {
 
-/// The part of the rates of two tangency conditions that rigid motion makes: of a run
-/// e = sign (end - other) / d  against n and b of an end that a surface carries.
+/// Computes the rates of two tangency conditions under rigid motion: of a run e = sign (end -
+/// other) / d  against n and b of an end that a surface carries.
 Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vector3d& other,
                              const Vector3d& other_dot, double sign) {
   const Vector3d run = sign * (end.p - other);
   const double d = run.norm();
-  const Vector3d e = run / d, move = sign * (on.at(end.p) - other_dot);
+  const Vector3d e = run / d, move = sign * (on.velocity_at(end.p) - other_dot);
   const Vector3d e_dot = (move - e * e.dot(move)) / d;
   return {e_dot.dot(end.n) + e.dot(on.w.cross(end.n)), e_dot.dot(end.b) + e.dot(on.w.cross(end.b))};
 }
@@ -253,10 +255,10 @@ Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vecto
 
 ChainTangent::ChainTangent(Vector3d a, Vector3d b, const std::vector<ChainArc>& chain)
     : a_(std::move(a)), b_(std::move(b)) {
-  constexpr double kSingularCondition = 1e-12;  // reciprocal condition
+  constexpr double kSingularCondition = 1e-12;  // reciprocal condition number [1]
   ends_.reserve(chain.size());
   for (const ChainArc& link : chain) ends_.push_back(ends_of(link));
-  // Regular only if the Jacobian of the conditions is well conditioned.
+  // Factor the Jacobian; the chain is regular only if it is well conditioned.
   const System J = tangency_of(a_, b_, ends_, static_cast<int>(ends_.size())).J;
   if (!J.allFinite()) return;
   factor_.compute(J);
@@ -266,25 +268,25 @@ ChainTangent::ChainTangent(Vector3d a, Vector3d b, const std::vector<ChainArc>& 
 void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
                          const std::vector<BodyTwist>& on, std::vector<TouchRate>& out) const {
   const std::size_t m = ends_.size();
-  // Rates of the conditions while surfaces and ends move and arcs stay.
+  // Compute the rates of the conditions while surfaces and ends move and arcs are fixed.
   Unknowns f(4 * static_cast<Eigen::Index>(m));
   for (std::size_t i = 0; i < m; ++i) {
     const auto row = 4 * static_cast<Eigen::Index>(i);
     const Vector3d& before = i > 0 ? ends_[i - 1].off.p : a_;
     const Vector3d& after = i + 1 < m ? ends_[i + 1].on.p : b_;
     f.segment<2>(row) =
-        carried_rate(ends_[i].on, on[i], before, i > 0 ? on[i - 1].at(before) : a_dot, 1);
-    f.segment<2>(row + 2) =
-        carried_rate(ends_[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
+        carried_rate(ends_[i].on, on[i], before, i > 0 ? on[i - 1].velocity_at(before) : a_dot, 1);
+    f.segment<2>(row + 2) = carried_rate(ends_[i].off, on[i], after,
+                                         i + 1 < m ? on[i + 1].velocity_at(after) : b_dot, -1);
   }
-  // Arcs vary so that the conditions stay fulfilled.
+  // Solve for the variations of the arcs that keep the conditions satisfied.
   const Unknowns x = -factor_.solve(f);
-  // A touch point moves with its surface and along it.
+  // Add the motion along each surface to that of the surface.
   out.clear();
   for (std::size_t i = 0; i < m; ++i) {
     const Eigen::Vector4d vary = x.segment<4>(4 * static_cast<Eigen::Index>(i));
-    out.push_back({on[i].at(ends_[i].on.p) + ends_[i].on.dp * vary,
-                   on[i].at(ends_[i].off.p) + ends_[i].off.dp * vary});
+    out.push_back({on[i].velocity_at(ends_[i].on.p) + ends_[i].on.dp * vary,
+                   on[i].velocity_at(ends_[i].off.p) + ends_[i].off.dp * vary});
   }
 }
 
@@ -292,24 +294,25 @@ void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
 
 namespace {
 
-constexpr std::size_t kSurfaceBeads = 24;  // a surface
+constexpr std::size_t kSurfaceBeads = 24;  // beads per surface
 // Factor on the moves of beads in the first three quarters of the sweeps [1]
 constexpr double kOverRelaxation = 1.7;
 
-/// A bead, and the surface that it rests on.
+/// Bead of a discretised string.
 struct Bead {
   Vector3d p;
-  int on = -1;
+  int on = -1;  // surface in contact; -1: none
 };
 using Beads = std::array<Bead, kSurfaceBeads * kMaxWraps + 2>;
 
-/// Even beads on the polygon from a over the start of every arc to b.
-std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain,
-                Beads& beads) {
+/// Places evenly spaced beads on the polygon from a through the start of every arc to b. Returns
+/// their number.
+std::size_t place_beads(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain,
+                        Beads& beads) {
   std::size_t count = 0;
   beads[count++] = {a};
   Vector3d from = a;
-  // The same number of beads on each leg of the polygon.
+  // Place the same number of beads on each leg of the polygon.
   const std::size_t legs = chain.size() + 1, each = kSurfaceBeads * chain.size() / legs;
   for (std::size_t leg = 0; leg < legs; ++leg) {
     const Vector3d to = leg + 1 == legs ? b : Vector3d(chain[leg].X * chain[leg].arc.start.p);
@@ -320,7 +323,7 @@ std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc
   return count;
 }
 
-/// Out of the surface that the bead is in, if any.
+/// Projects a bead out of the surfaces that it penetrates.
 void push_out(Bead& bead, const std::vector<ChainArc>& chain) {
   bead.on = -1;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -336,17 +339,17 @@ void push_out(Bead& bead, const std::vector<ChainArc>& chain) {
 
 void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
                     std::vector<ChainArc>& chain) {
-  // Relax the beads.
+  // Relax the beads by Gauss-Seidel sweeps.
   Beads beads;
-  const std::size_t count = lay(a, b, chain, beads);
+  const std::size_t count = place_beads(a, b, chain, beads);
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t i = 1; i + 1 < count; ++i) {
       const Vector3d middle = 0.5 * (beads[i - 1].p + beads[i + 1].p);
-      // Plain at the end: over-relaxed beads hop on the surface.
+      // Drop over-relaxation at the end: it makes beads leave the surface and return.
       beads[i].p += (sweep < sweeps * 3 / 4 ? kOverRelaxation : 1.0) * (middle - beads[i].p);
       push_out(beads[i], chain);
     }
-  // Surfaces on which beads rest become arcs of the chain.
+  // Turn surfaces in contact with beads into arcs of the chain.
   std::size_t kept = 0;
   for (std::size_t s = 0; s < chain.size(); ++s) {
     std::size_t first = 0, last = 0;
@@ -356,7 +359,7 @@ void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
       if (first == 0) first = i;
       last = i;
     }
-    // The arc runs from the first bead on the surface to the last one.
+    // Span the arc from the first bead on the surface to the last one.
     if (first == 0) continue;
     for (std::size_t i = first; i < last; ++i) length += (beads[i + 1].p - beads[i].p).norm();
     ChainArc link = chain[s];

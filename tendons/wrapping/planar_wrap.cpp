@@ -12,8 +12,8 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Squared distance of the segment a b from the origin.
-double nearest2(const Vector2d& a, const Vector2d& b) {
+/// Computes the squared distance of the segment a b from the origin.
+double squared_distance(const Vector2d& a, const Vector2d& b) {
   const Vector2d d = b - a;
   const double length2 = d.squaredNorm(), along = -a.dot(d);
   if (along <= 0) return a.squaredNorm();
@@ -22,7 +22,8 @@ double nearest2(const Vector2d& a, const Vector2d& b) {
   return area * area / length2;
 }
 
-/// The tangent point from p; `way` is the sense in which the string would run on from p.
+/// Computes the tangent point from p. @param way  sense in which the string continues from p: 1
+/// counterclockwise, -1 clockwise
 Vector2d touch(double r, const Vector2d& p, double rho, double free, double way) {
   const double part = r / rho;
   const Vector2d e = part * p, across(-e.y(), e.x());
@@ -33,29 +34,29 @@ Vector2d touch(double r, const Vector2d& p, double rho, double free, double way)
 
 std::optional<PlanarWrap> wrap_circle(double r, const Vector2d& a, const Vector2d& b,
                                       const Vector2d& side) {
-  // Does the straight line pass on the wrong side, or through the circle?
+  // Test whether the straight line passes on the wrong side, or through the circle.
   const double above_a = cross(side, a), above_b = cross(side, b);
   const bool parted = (above_a > 0) != (above_b > 0);
   // The straight line crosses the line of `side` at (a above_b - b above_a) / (above_b - above_a).
   const bool barred =
       parted && (side.dot(a) * above_b - side.dot(b) * above_a) * (above_b - above_a) < 0;
-  if (!barred && nearest2(a, b) >= r * r) return std::nullopt;
+  if (!barred && squared_distance(a, b) >= r * r) return std::nullopt;
 
-  // Sense of rotation about the origin.
+  // Choose the sense of rotation about the origin.
   PlanarWrap wrap;
-  wrap.way = (parted ? above_b > 0 : cross(a, b) > 0) ? 1 : -1;
+  wrap.sense = (parted ? above_b > 0 : cross(a, b) > 0) ? 1 : -1;
   const double rho_a = a.norm(), rho_b = b.norm();
   if (std::min(rho_a, rho_b) == 0) return std::nullopt;
-  // Free parts and touch points by Pythagoras.
+  // Compute the straight parts and touch points.
   wrap.free_a = std::sqrt(std::max(rho_a * rho_a - r * r, 0.0));
   wrap.free_b = std::sqrt(std::max(rho_b * rho_b - r * r, 0.0));
-  wrap.touch_a = touch(r, a, rho_a, wrap.free_a, wrap.way);
-  wrap.touch_b = touch(r, b, rho_b, wrap.free_b, -wrap.way);
-  // Angle between the touch points, in that sense.
+  wrap.touch_a = touch(r, a, rho_a, wrap.free_a, wrap.sense);
+  wrap.touch_b = touch(r, b, rho_b, wrap.free_b, -wrap.sense);
+  // Compute the angle between the touch points, in that sense.
   wrap.angle =
-      std::atan2(wrap.way * cross(wrap.touch_a, wrap.touch_b), wrap.touch_a.dot(wrap.touch_b));
+      std::atan2(wrap.sense * cross(wrap.touch_a, wrap.touch_b), wrap.touch_a.dot(wrap.touch_b));
   if (wrap.angle < 0) {
-    if (!barred) return std::nullopt;  // by rounding only: it just touches
+    if (!barred) return std::nullopt;  // negative by rounding only
     wrap.angle += 2 * kPi;
   }
   return wrap;
@@ -64,7 +65,7 @@ std::optional<PlanarWrap> wrap_circle(double r, const Vector2d& a, const Vector2
 bool crossed_far_side(const Vector2d& side, const Vector2d& was, const Vector2d& is) {
   const bool left_before = cross(side, was) > 0, left_now = cross(side, is) > 0;
   if (left_before == left_now) return false;
-  // Counted over the side, from the right one to the left one: more than half a turn?
+  // Test whether the angle from right to left over the side exceeds half a turn.
   return (left_before ? cross(is, was) : cross(was, is)) < 0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A string round a circle, in its plane.
+/// String round a circle, in its plane.
 
 #include <optional>
 
@@ -10,20 +10,20 @@ namespace thenar {
 
 /// Contact of a string from a to b with the circle of radius r about the origin.
 struct PlanarWrap {
-  Eigen::Vector2d touch_a, touch_b;  // [m] (2)
-  double way;                        // 1: it goes counterclockwise, -1: clockwise
-  double angle;                      // wrapped, 0 .. 2 pi [rad]
+  Eigen::Vector2d touch_a, touch_b;  // touch points on the sides of a and b [m] (2)
+  double sense;                      // sense of wrapping: 1 counterclockwise, -1 clockwise
+  double angle;                      // wrapped angle, 0 .. 2 pi [rad]
   double free_a, free_b;             // lengths of the straight parts [m]
 };
 
 /// Wraps a string so that it never crosses the half line from the origin opposite to `side`.
-/// Returns nothing if the string is straight. Ends inside the circle are taken to lie on it.
+/// Returns nothing if the string is straight. Ends inside the circle count as lying on it.
 [[nodiscard]] std::optional<PlanarWrap> wrap_circle(double r, const Eigen::Vector2d& a,
                                                     const Eigen::Vector2d& b,
                                                     const Eigen::Vector2d& side);
 
-/// Returns whether a point that moved by less than half a turn round the origin did so over the
-/// half line opposite to `side`, where wrap_circle() jumps.
+/// Returns whether a point that moved round the origin by less than half a turn crossed the half
+/// line opposite to `side`, where wrap_circle() jumps.
 [[nodiscard]] bool crossed_far_side(const Eigen::Vector2d& side, const Eigen::Vector2d& was,
                                     const Eigen::Vector2d& is);
 

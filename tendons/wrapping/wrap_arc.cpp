@@ -16,6 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// Computes the signed area of the parallelogram of a and b.
 double signed_area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Plane through o, with unit vectors x towards the side and y across it.
@@ -25,7 +26,8 @@ struct PlaneSection {
   [[nodiscard]] Vector3d at(const Vector2d& p) const { return o + p.x() * x + p.y() * y; }
 };
 
-/// Point of the surface's core (the centre, or the axis of a capsule) nearest to a plane.
+/// Computes the point of the surface's core (the centre, or the axis of a capsule) nearest to a
+/// plane.
 Vector3d core_near(const BoneSurface& surface, const Vector3d& in_plane, const Vector3d& normal) {
   if (surface.shape != SurfaceShape::kCapsule || std::abs(normal.z()) < 1e-9)
     return Vector3d(0, 0,
@@ -36,25 +38,25 @@ Vector3d core_near(const BoneSurface& surface, const Vector3d& in_plane, const V
   return {0, 0, std::clamp(z, -surface.size[1], surface.size[1])};
 }
 
-/// Plane of a, b and `third`, about the middle of the surface's section with it; nothing if those
-/// are in line or the plane misses the surface.
+/// Computes the plane of a, b and `third`, centred on the surface's section with it; nothing if
+/// those points are collinear or the plane misses the surface.
 std::optional<PlaneSection> section_through(const BoneSurface& surface, const Vector3d& a,
                                             const Vector3d& b, const Vector3d& third,
                                             const Vector3d& side) {
-  // Normal of the plane; none if the three points are in line.
+  // Compute the normal of the plane; none if the three points are collinear.
   const Vector3d m = (b - a).cross(third - a);
   if (m.norm() <= 1e-9 * (b - a).norm() * (third - a).norm()) return std::nullopt;
-  // Middle of the section: the core's point nearest to the plane.
+  // Centre the section on the core's point nearest to the plane.
   const Vector3d normal = m.normalized(), core = core_near(surface, third, normal);
   const Vector3d o = core - normal * normal.dot(core - a);
   if (level(surface, o) >= 0) return std::nullopt;
-  // Axes of the section: towards the side, and across.
+  // Set the axes of the section: towards the side, and across.
   const Vector3d up = side - o, x = up - normal * normal.dot(up);
   if (x.norm() <= 1e-9 * up.norm()) return std::nullopt;
   return PlaneSection{o, x.normalized(), normal.cross(x.normalized())};
 }
 
-/// Least level on the straight run, between two samples of it.
+/// Minimum of the level function on a straight run, found by sampling and ternary search.
 struct Deepest {
   double level;
   Vector3d p;
@@ -78,15 +80,16 @@ Deepest deepest(const BoneSurface& surface, const Vector3d& a, const Vector3d& b
   return {level(surface, p), p};
 }
 
-/// Returns the scales of the axes that turn a surface into a unit sphere about the origin, or into
-/// a round one [1/m] or [1].
-Vector3d rounding(const BoneSurface& surface) {
+/// Returns the scales of the axes that turn an ellipsoid into a unit sphere, or a cylinder into a
+/// circle across its axis [1/m] or [1].
+Vector3d rounding_scale(const BoneSurface& surface) {
   if (surface.shape == SurfaceShape::kEllipsoid) return surface.size.cwiseInverse();
   return {1, 1, surface.shape == SurfaceShape::kCylinder ? 0.0 : 1.0};
 }
 
-/// Returns the point where the ray from the middle of the section leaves the surface.
-Vector2d edge(const BoneSurface& surface, const PlaneSection& section, const Vector2d& direction) {
+/// Computes the point where the ray from the centre of the section leaves the surface.
+Vector2d section_edge(const BoneSurface& surface, const PlaneSection& section,
+                      const Vector2d& direction) {
   if (surface.shape == SurfaceShape::kEllipsoid) {  // |u + s d| = 1, all over the semi-axes
     const Vector3d u = section.o.cwiseQuotient(surface.size);
     const Vector3d d = (section.at(direction) - section.o).cwiseQuotient(surface.size);
@@ -101,62 +104,63 @@ Vector2d edge(const BoneSurface& surface, const PlaneSection& section, const Vec
   return outside * direction;
 }
 
-/// The taut string over a convex section, from samples of its edge, way round towards the side.
+/// Taut string over a convex section, from samples of its edge. @param way  sense in which it
+/// passes
 struct FlatArc {
   Vector2d start, towards;
   double length;
 };
-FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vector2d& a,
-             const Vector2d& b, double way) {
-  // Samples of the section's edge.
+FlatArc taut_arc(const BoneSurface& surface, const PlaneSection& section, const Vector2d& a,
+                 const Vector2d& b, double way) {
+  // Sample the section's edge, from the side onwards in the sense `way`.
   constexpr int kArcSamples = 64;
   std::array<Vector2d, kArcSamples> rim;
   for (int i = 0; i < kArcSamples; ++i) {
     const double angle = 2 * kPi * i / kArcSamples;
-    rim[i] = edge(surface, section, {std::cos(angle), way * std::sin(angle)});
+    rim[i] = section_edge(surface, section, {std::cos(angle), way * std::sin(angle)});
   }
-  // Seen from a, and from b backwards, the whole rim lies on one side of the tangent.
+  // Find the tangent points from a and from b: the whole rim lies on one side of each tangent.
   std::size_t on = 0, off = 0;
   for (std::size_t i = 1; i < kArcSamples; ++i) {
     if (way * signed_area(rim[on] - a, rim[i] - a) < 0) on = i;
     if (way * signed_area(rim[off] - b, rim[i] - b) > 0) off = i;
   }
-  // Length of the polygon between the two touch points.
+  // Sum the length of the polygon between the two touch points.
   double length = 0;
   const std::size_t steps = (off + kArcSamples - on) % kArcSamples;
-  if (steps > 3 * kArcSamples / 4)
-    return {rim[on], b - a, 0};  // between two samples: it just touches
+  if (steps > 3 * kArcSamples / 4) return {rim[on], b - a, 0};  // touches between two samples
   for (std::size_t i = on; i != off; i = (i + 1) % kArcSamples)
     length += (rim[(i + 1) % kArcSamples] - rim[i]).norm();
   return {rim[on], rim[on] - a, length};
 }
 
+/// Computes the taut string over a capsule or ellipsoid in a plane section.
 std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a, const Vector3d& b,
                                    const Vector3d& side) {
-  // Plane through the side; failing that, through the centre.
+  // Choose the plane through the side; failing that, through the centre.
   auto section = section_through(surface, a, b, side, side);
   if (!section) section = section_through(surface, a, b, Vector3d::Zero(), side);
-  const bool clear = clearance(surface, a, b) >= 0;
+  const bool clear = min_level(surface, a, b) >= 0;
   if (!section) return std::nullopt;
-  // Does the straight line pass on the wrong side, or through the surface?
+  // Test whether the straight line passes on the wrong side, or through the surface.
   const Vector2d flat_a = section->flat(a), flat_b = section->flat(b);
   const bool parted = (flat_a.y() > 0) != (flat_b.y() > 0);
   const bool barred =
       parted && (flat_a.x() * flat_b.y() - flat_b.x() * flat_a.y()) * (flat_b.y() - flat_a.y()) < 0;
   if (clear && !barred) return std::nullopt;
-  // Taut string over the section, brought onto the surface.
+  // Compute the taut string over the section and project it onto the surface.
   const double way = (parted ? flat_b.y() > 0 : signed_area(flat_a, flat_b) > 0) ? 1 : -1;
-  const FlatArc flat = taut(surface, *section, flat_a, flat_b, way);
+  const FlatArc flat = taut_arc(surface, *section, flat_a, flat_b, way);
   const Vector3d start = section->at(flat.start);
   return WrapArc{
       project_to_surface(surface, {start, section->at(flat.start + flat.towards) - start}),
       flat.length};
 }
 
-/// The answer where a capsule is met on its straight part only: that of its cylinder.
+/// Computes the arc over a capsule where the string touches its cylindrical part only.
 std::optional<WrapArc> over_middle(const BoneSurface& capsule, const Vector3d& a, const Vector3d& b,
                                    const Vector3d& side) {
-  // The cylinder's answer holds if it stays between the caps.
+  // Wrap the cylinder; the result holds if it stays between the caps.
   BoneSurface cylinder = capsule;
   cylinder.shape = SurfaceShape::kCylinder;
   const auto wrap = wrap_round(cylinder, a, b, side);
@@ -165,10 +169,11 @@ std::optional<WrapArc> over_middle(const BoneSurface& capsule, const Vector3d& a
   return reach <= capsule.size[1] ? std::optional<WrapArc>(wrap->arc) : std::nullopt;
 }
 
-/// Over the inside of the tube, in the half plane in which the straight line crosses the ring's.
+/// Computes the arc over the inside of a torus, in the half plane of the axis in which the straight
+/// line crosses the plane of the ring.
 std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& a,
                                     const Vector3d& b, const Vector3d& side) {
-  // Half plane in which the straight line crosses the plane of the ring.
+  // Find the half plane in which the straight line crosses the plane of the ring.
   const double tube = surface.size[0], ring = surface.size[1];
   const bool crosses = (a.z() > 0) != (b.z() > 0);
   const Vector3d at = crosses ? Vector3d(a + (b - a) * (a.z() / (a.z() - b.z()))) : side;
@@ -176,13 +181,13 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
   const Vector3d out =
       off > 1e-9 * ring ? Vector3d(at.x() / off, at.y() / off, 0) : Vector3d(Vector3d::UnitX());
   const Vector3d round = Vector3d::UnitZ().cross(out);
-  // In this half plane the tube is a circle.
+  // Wrap the circle of the tube in this half plane.
   const Vector2d flat_a(out.dot(a) - ring, a.z()), flat_b(out.dot(b) - ring, b.z());
   const auto flat = wrap_circle(tube, flat_a, flat_b, {-1, 0});
   const Deepest low = deepest(surface, a, b, 32);
   if (low.level >= 0 && (!crosses || off < ring)) return std::nullopt;
   if (!flat) return WrapArc{project_to_surface(surface, {low.p, b - a}), 0};
-  // What runs round the axis is shared out along the way.
+  // Distribute the motion round the axis evenly along the string.
   const double way = flat->free_a + tube * flat->angle + flat->free_b;
   const double from = round.dot(a), to = round.dot(b), share = flat->free_a / way;
   const Vector2d run = (flat->touch_a - flat_a).normalized();
@@ -197,11 +202,11 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
 
 }  // namespace
 
-double clearance(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S) {
+double min_level(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S) {
   if (surface.shape == SurfaceShape::kTorus) return deepest(surface, a_S, b_S, 32).level;
   if (surface.shape == SurfaceShape::kCapsule) return deepest(surface, a_S, b_S, 2).level;
-  // Scaled so that the surface is a unit sphere or cylinder: nearest point of the line.
-  const Vector3d scale = rounding(surface), u = scale.cwiseProduct(a_S);
+  // Scale the surface to a unit sphere or cylinder, and find the nearest point of the line.
+  const Vector3d scale = rounding_scale(surface), u = scale.cwiseProduct(a_S);
   const Vector3d d = scale.cwiseProduct(b_S) - u;
   const double along = std::clamp(-u.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
   return level(surface, a_S + along * (b_S - a_S));
@@ -217,25 +222,27 @@ std::optional<WrapArc> initial_arc(const BoneSurface& surface, const Vector3d& a
 
 namespace {
 
-/// Unrolled, the string is a straight line: z grows in step with the way run across the axis.
+/// Computes the string over a cylinder. Unrolled, it is a straight line: z grows in proportion to
+/// the length run across the axis.
 std::optional<RoundArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                       const Vector3d& side) {
-  // Across the axis the string wraps a circle.
+  // Wrap the circle in the plane across the axis.
   const auto flat = wrap_circle(r, a.head<2>(), b.head<2>(), side.head<2>());
   if (!flat) return std::nullopt;
-  // Its climb is shared out evenly over the unrolled length.
+  // Distribute the climb evenly over the unrolled length.
   const double way = flat->free_a + r * flat->angle + flat->free_b, climb = b.z() - a.z();
   const double length = std::sqrt(way * way + climb * climb),
                z = a.z() + climb * flat->free_a / way;
-  // Direction at the start, and height of the end.
-  const Vector2d round = flat->way / r * Vector2d(-flat->touch_a.y(), flat->touch_a.x());
+  // Compute the direction at the start and the height of the end.
+  const Vector2d round = flat->sense / r * Vector2d(-flat->touch_a.y(), flat->touch_a.x());
   const Vector3d t(way / length * round.x(), way / length * round.y(), climb / length);
   const double end_z = b.z() - climb * flat->free_b / way;
   return RoundArc{{{{flat->touch_a.x(), flat->touch_a.y(), z}, t}, r * flat->angle * length / way},
                   {flat->touch_b.x(), flat->touch_b.y(), end_z}};
 }
 
-/// Normal of the plane of a, b and the centre; if they are in line, of the one that holds `side`.
+/// Computes the normal of the plane of a, b and the centre; if they are collinear, of the plane
+/// that contains `side`.
 Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   const Vector3d m = a.cross(b);
   if (m.norm() > 1e-14 * a.norm() * b.norm()) return m.normalized();
@@ -244,15 +251,15 @@ Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side
   return a.unitOrthogonal();
 }
 
-/// A great circle, the shorter way: in its plane the side is between a and b.
+/// Computes the string over a sphere, the shorter arc of a great circle.
 std::optional<RoundArc> over_sphere(double r, const Vector3d& a, const Vector3d& b,
                                     const Vector3d& side) {
   const double rho_a = a.norm(), rho_b = b.norm();
   if (rho_a == 0 || rho_b == 0) return std::nullopt;
-  // Axes of the plane: towards a, and across.
+  // Set the axes of the plane: towards a, and across.
   const Vector3d m = plane_normal(a, b, side), x = a / rho_a, y = m.cross(x);
   const Vector2d flat_a(rho_a, 0), flat_b(b.dot(x), std::abs(b.dot(y)));
-  // The bisector of a and b, in a form that holds for a quarter and for half a turn.
+  // Use the bisector of a and b as side, in a form valid for a quarter and for half a turn.
   const double c = flat_b.x() / rho_b, f = flat_b.y() / rho_b;
   const Vector2d between(1 + c + f, 1 - c + f);
   const auto flat = wrap_circle(r, flat_a, flat_b, between);

@@ -15,10 +15,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Largest distance of an origin from the strand on which it rides [m]
+// largest distance of an origin from the strand on which it rides [m]
 constexpr double kRideReach = 1e-3;
-constexpr double kPointInside = 1e-9;  // Largest depth of a point in a surface beside it [m]
+constexpr double kPointInside = 1e-9;  // largest depth of a point in an adjacent surface [m]
 
+/// Checks that a point does not lie inside a surface.
 void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface& surface) {
   const Vector3d p = surface.X.inverse() * path.points[point].p;
   const double depth = level(surface, p) < 0 ? -probe(surface, p).gap : 0;
@@ -26,8 +27,8 @@ void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface
           point + 1, path.name, 1e3 * depth, surface.name);
 }
 
-/// Coordinates of the hinges between two links.
-std::vector<int> between(const Tree<double>& tree, int a, int b) {
+/// Returns the coordinates of the hinges between two links.
+std::vector<int> coordinates_between(const Tree<double>& tree, int a, int b) {
   std::set<int> crossed;
   while (a != b) {
     const auto i = static_cast<std::size_t>(std::max(a, b));
@@ -37,20 +38,20 @@ std::vector<int> between(const Tree<double>& tree, int a, int b) {
   return {crossed.begin(), crossed.end()};
 }
 
-/// Checks that no point gets to a cylinder's half plane opposite to the path's side, where the
+/// Checks that no point reaches a cylinder's half plane opposite to the path's side, where the
 /// length jumps, at the ends and middles of the ranges of the joints between them. Joints without a
-/// range stand still.
+/// range stay at 0.
 void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
                  const BoneSurface& surface, const Skeleton& skeleton) {
   if (surface.shape != SurfaceShape::kCylinder) return;
   for (const std::size_t end : {k, k + 1}) {
-    // Joints between the point and the cylinder.
+    // List the joints between the point and the cylinder.
     const WrapPoint& point = path.points[end];
     const Vector3d was = surface.X.inverse() * point.p;
-    const std::vector<int> joints = between(skeleton.tree, point.link, surface.link);
+    const std::vector<int> joints = coordinates_between(skeleton.tree, point.link, surface.link);
     int postures = 1;
     for (std::size_t i = 0; i < joints.size(); ++i) postures *= 3;
-    // Every combination of lower limit, middle and upper limit.
+    // Try every combination of lower limit, middle and upper limit.
     Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
     for (int n = 0; n < postures; ++n) {
       int rest = n;
@@ -60,10 +61,10 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
         q[j] = ranges ? limit.lower + 0.5 * (rest % 3) * (limit.upper - limit.lower) : 0;
         rest /= 3;
       }
-      // Where the point stands in the cylinder's frame.
+      // Test the point in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
       const Vector3d base_p = moved(state, point.link, point.p);
-      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
+      const Pose<double> X = surface_pose(surface, state);
       const Vector3d is = X.inverse() * base_p;
       require(
           !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
@@ -74,8 +75,9 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
   }
 }
 
-void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton) {
-  // Runs across a joint need a length and not too many surfaces.
+/// Checks the runs of a path and its points near surfaces.
+void check_path(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton) {
+  // Check that runs across a joint have a length and not too many surfaces.
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     const WrapPoint &a = path.points[k], &b = path.points[k + 1];
     require(a.link == b.link || (a.p - b.p).norm() > 1e-9,
@@ -84,7 +86,7 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
     require(path.bends[k].size() <= static_cast<std::size_t>(kMaxWraps),
             "strand '{}' bends over {} surfaces after point {}; the most is {}", path.name,
             path.bends[k].size(), k + 1, kMaxWraps);
-    // Points beside a surface stay outside it and on its near side.
+    // Check that points next to a surface stay outside it and on its near side.
     for (const PathWrap& bend : path.bends[k]) {
       check_outside(path, k, set.surfaces[bend.surface]);
       check_outside(path, k + 1, set.surfaces[bend.surface]);
@@ -98,25 +100,25 @@ bool crosses_a_joint(const WrappedPath& path) {
                 [&](const WrapPoint& point) { return point.link != path.points.front().link; });
 }
 
-/// Points and surfaces on the kept links; those on dropped segments end the path.
+/// Collects points and surfaces on the kept links; those on dropped segments are left out.
 WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const PathSet& set) {
   WrappedPath path;
   path.name = strand.name;
-  std::vector<PathWrap> bends;  // since the last point
-  // Elements of the strand that lie on kept links.
+  std::vector<PathWrap> bends;  // surfaces since the last point
+  // Visit the elements of the strand that lie on kept links.
   for (const PathPoint& element : strand.path) {
     const auto link = skeleton.link_of_segment.find(element.segment);
     if (link == skeleton.link_of_segment.end()) continue;
-    // At the reference posture.
+    // Pose the element at the reference posture.
     const Vector3d p = skeleton.segment_at.at(element.segment) * element.p;
-    // A surface bends the run that follows the last point.
+    // Add a surface to the run that follows the last point.
     if (!element.surface.empty()) {
       const int surface = place_named(set.surfaces, element.surface);
       const Pose<double>& X = set.surfaces[surface].X;
       if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
       continue;
     }
-    // A point ends that run.
+    // End that run at a point.
     if (!path.points.empty()) path.bends.push_back(bends);
     bends.clear();
     path.points.push_back({link->second, p});
@@ -124,7 +126,8 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
   return path;
 }
 
-/// Nearest place of a posed path to p: how far off, and how far from the insertion [m].
+/// Point of a posed path nearest to a given one: its distance from that, and from the insertion
+/// along the path [m].
 struct PathPlace {
   double off, along;
 };
@@ -132,7 +135,7 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
   PathPlace nearest{std::numeric_limits<double>::infinity(), 0};
   double before = 0;
   auto arc = shape.arcs.begin();
-  // Nearest point of every straight run.
+  // Compare the nearest points of all straight runs.
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     const PathSpan& span = shape.spans[s];
     const Vector3d u = span.u;
@@ -146,16 +149,16 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
   return nearest;
 }
 
-/// Lets the origin ride, if the carrier is there to carry it.
+/// Attaches the origin to its carrier, if the set has it.
 void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
               const Skeleton& skeleton) {
   path.carrier = place_named(set.paths, carrier);
   if (path.carrier < 0) return;
-  // Carrier at the reference posture.
+  // Solve the carrier at the reference posture.
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
   PathSolver solver(set);
   const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
-  // Nearest place to the origin, which must be close.
+  // Find its point nearest to the origin, which must be close.
   const PathPlace place = nearest_place(shapes[path.carrier], path.points.back().p);
   require(place.off <= kRideReach,
           "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",
@@ -163,9 +166,10 @@ void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
   path.ride = place.along;
 }
 
+/// Builds the paths of all strands, or of the named ones with their carriers.
 PathSet build(const Subject& subject, const Skeleton& skeleton,
               const std::vector<std::string>* only) {
-  // A strand is wanted if it is named or carries a named one.
+  // Select a strand if it is named or carries a named one.
   PathSet set;
   set.surfaces = place_surfaces(subject, skeleton);
   const auto wanted = [&](const Strand& strand) {
@@ -177,12 +181,12 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
     };
     return only == nullptr || contains(*only, strand.name) || any_of(*only, carries);
   };
-  // Paths in file order; a rider stands behind its carrier.
+  // Build the paths in file order; a rider follows its carrier.
   for (const Strand& strand : subject.strands) {
     if (!wanted(strand)) continue;
     WrappedPath path = kept_path(strand, skeleton, set);
     if (path.points.size() < 2 || !crosses_a_joint(path)) continue;
-    check(path, set, skeleton);
+    check_path(path, set, skeleton);
     if (!strand.path.back().rides_on.empty() &&
         skeleton.link_of_segment.count(strand.path.back().segment) > 0)
       set_ride(path, strand.path.back().rides_on, set, skeleton);

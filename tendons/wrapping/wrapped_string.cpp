@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// One end seen from the centre of a circle of radius r: distance rho, free run f to the tangent
-/// point, and the angle alpha between the two.
+/// End of the string seen from the centre of a circle of radius r: distance rho, free run f to the
+/// tangent point, and the angle alpha between the two.
 struct End {
   double rho, f, alpha;
   Vector3d out, on;  // unit: away from the centre; along the circle, away from the other end
@@ -23,23 +23,24 @@ End end(double r, double rho, const Vector3d& out, const Vector3d& on) {
   return {rho, f, std::atan2(f, r), out, on};
 }
 
-/// d P / d end, the unit tangent: (f out + r on) / rho; shorter than 1 only inside the circle.
+/// Computes d P / d end, the unit tangent: (f out + r on) / rho; shorter than 1 only inside the
+/// circle.
 Vector3d tangent(const End& e, double r) { return (e.f * e.out + r * e.on) / e.rho; }
 
-/// d^2 P / d end^2 in the plane: n n' / f, n across the tangent. At f = 0 it is infinite, here
-/// 1e9/r.
+/// Computes d^2 P / d end^2 in the plane: n n' / f, n across the tangent. At f = 0 it is infinite,
+/// here 1e9/r.
 Eigen::Matrix3d bend(const End& e, double r) {
   const Vector3d n = (std::min(r, e.rho) * e.out - e.f * e.on) / e.rho;
   return n * n.transpose() / std::max(e.f, 1e-7 * r);
 }
 
-/// Returns the point where the string leaves the circle.
+/// Computes the point where the string leaves the circle.
 Vector3d touch(const End& e, double r) {
   const double c = std::min(r / e.rho, 1.0);
   return r * (c * e.out - e.f / e.rho * e.on);
 }
 
-/// Both ends in a plane through the centre of the circle, an angle theta apart.
+/// String in a plane through the centre of the circle, with its ends an angle theta apart.
 struct Plane {
   End a, b;
   double length, theta;
@@ -61,7 +62,8 @@ void set_planar(WrappedString& chord, const Plane& plane, double r) {
   chord.touch_b = touch(plane.b, r);
 }
 
-/// The plane of a, b and the centre; if they are in line, the one that holds `side`.
+/// Computes the normal of the plane of a, b and the centre; if they are collinear, of the plane
+/// that contains `side`.
 Vector3d unit_plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   const Vector3d m = a.cross(b);
   if (m.norm() > 1e-14) return m.normalized();
@@ -71,7 +73,7 @@ Vector3d unit_plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d&
 
 WrappedString chord_over_sphere(double r, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& side) {
-  // Great circle in the plane of both ends and the centre.
+  // Wrap a great circle in the plane of both ends and the centre.
   WrappedString chord = straight_string(a, b);
   const double rho_a = a.norm(), rho_b = b.norm();
   const Vector3d ea = a / rho_a, eb = b / rho_b, m = unit_plane_normal(ea, eb, side);
@@ -81,7 +83,7 @@ WrappedString chord_over_sphere(double r, const Vector3d& a, const Vector3d& b,
   if (!plane.bent) return chord;
   set_planar(chord, plane, r);
   chord.bent = true;
-  // Out of the plane the great circle turns as a whole.
+  // Add the second derivatives out of the plane, where the great circle rotates as a whole.
   const double s = std::max(sine, 1e-12), cot = std::cos(theta) / s;
   const Eigen::Matrix3d mm = m * m.transpose();
   chord.curve.topLeftCorner<3, 3>() += (plane.a.f + r * cot) / (rho_a * rho_a) * mm;
@@ -91,18 +93,18 @@ WrappedString chord_over_sphere(double r, const Vector3d& a, const Vector3d& b,
   return chord;
 }
 
-/// Angle about z from `side` to p, in (-pi, pi].
+/// Computes the angle about z from `side` to p, in (-pi, pi].
 double angle_from(const Vector3d& side, const Vector3d& p) {
   return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
 }
 
 WrappedString chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                   const Vector3d& side) {
-  // In the plane across the axis the string wraps a circle.
+  // Wrap the circle in the plane across the axis.
   WrappedString chord = straight_string(a, b);
   const Vector3d pa(a.x(), a.y(), 0), pb(b.x(), b.y(), 0), z = Vector3d::UnitZ();
   const double rho_a = pa.norm(), rho_b = pb.norm();
-  // The angle is counted over the side.
+  // Count the angle over the side.
   const double turn = angle_from(side, pb) - angle_from(side, pa), way = turn < 0 ? -1 : 1;
   const Vector3d ea = pa / rho_a, eb = pb / rho_b;
   const Plane plane = across(r, end(r, rho_a, ea, -way * z.cross(ea)),
@@ -110,7 +112,7 @@ WrappedString chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b
   if (!plane.bent) return chord;
   set_planar(chord, plane, r);
   chord.bent = true;
-  // Unrolled, L^2 = P^2 + dz^2.
+  // Add the climb along the axis: unrolled, L^2 = P^2 + dz^2.
   const double P = plane.length, dz = a.z() - b.z(), L = std::hypot(P, dz);
   Eigen::Matrix<double, 6, 1> gz;
   gz << z, -z;
@@ -123,20 +125,20 @@ WrappedString chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b
   return chord;
 }
 
-/// An end inside the surface counts as lying on it, at the nearest point.
-struct Brought {
+/// End projected out of the surface: an end inside counts as lying on it, at the nearest point.
+struct ProjectedEnd {
   Vector3d p;
   bool inside;
   Eigen::Matrix3d J;  // d p / d end, symmetric
 };
 
-Brought bring_out(double r, bool sphere, const Vector3d& end) {
+ProjectedEnd project_out(double r, bool sphere, const Vector3d& end) {
   const Eigen::Vector3d flat(1, 1, sphere ? 1 : 0);
   const Vector3d from = flat.cwiseProduct(end);
   const double rho = from.norm();
-  // A point outside, or on the surface to rounding, stays.
+  // Keep a point outside, or on the surface to rounding.
   if (rho >= r * (1 - 1e-9)) return {end, false, Eigen::Matrix3d::Identity()};
-  // Otherwise: nearest point, and how it follows the end.
+  // Otherwise take the nearest point, with its derivative by the end.
   const Vector3d n = rho > 0 ? Vector3d(from / rho) : Vector3d::UnitX();
   Eigen::Matrix3d J =
       r / std::max(rho, 1e-6 * r) * (Eigen::Matrix3d(flat.asDiagonal()) - n * n.transpose());
@@ -147,7 +149,7 @@ Brought bring_out(double r, bool sphere, const Vector3d& end) {
 }  // namespace
 
 WrappedString straight_string(const Vector3d& a, const Vector3d& b) {
-  // Straight: its gradient is a pair of opposite unit vectors.
+  // Set gradient and Hessian of the distance between the ends.
   WrappedString chord{(a - b).norm(), false, true, {}, {}, a, b};
   chord.slope.setZero();
   chord.curve.setZero();
@@ -164,13 +166,13 @@ WrappedString wrap_string(const BoneSurface& surface, const Vector3d& a_S, const
   const bool sphere = surface.shape == SurfaceShape::kSphere;
   require(sphere || surface.shape == SurfaceShape::kCylinder,
           "a chord bends over a sphere or a cylinder, not {}", surface.name);
-  // Ends that lie inside are brought out first.
+  // Project ends that lie inside the surface onto it.
   const double r = surface.size[0];
-  const Brought a = bring_out(r, sphere, a_S), b = bring_out(r, sphere, b_S);
+  const ProjectedEnd a = project_out(r, sphere, a_S), b = project_out(r, sphere, b_S);
   WrappedString chord =
       sphere ? chord_over_sphere(r, a.p, b.p, side_S) : chord_over_cylinder(r, a.p, b.p, side_S);
   if (!a.inside && !b.inside) return chord;
-  // Chain rule through the points that were brought out.
+  // Apply the chain rule through the projected ends.
   chord.possible = false;
   Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Zero();
   J << a.J, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), b.J;

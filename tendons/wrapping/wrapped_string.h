@@ -1,7 +1,7 @@
 #pragma once
 
-/// The shortest string between two points round one obstacle, in closed form: for nets and for
-/// paths that meet one surface at a time.
+/// Shortest string between two points round one obstacle, in closed form: for nets and for paths
+/// that meet one surface at a time.
 
 #include <Eigen/Core>
 
@@ -9,27 +9,28 @@
 
 namespace thenar {
 
-/// Length of a string from a to b and its derivatives; (a, b) stacked.
+/// Length of a string from a to b and its derivatives by the stacked ends (a, b).
 struct WrappedString {
   double length;                      // [m]
-  bool bent;                          // whether it touches the surface
+  bool bent;                          // true: it touches the surface
   bool possible = true;               // false: an end lies inside the surface
-  Eigen::Matrix<double, 6, 1> slope;  // d length / d(a, b); ends are unit tangents [1]
-  Eigen::Matrix<double, 6, 6> curve;  // second derivative [1/m]
-  Eigen::Vector3d touch_a, touch_b;   // where it meets and leaves the surface; a and b if straight
+  Eigen::Matrix<double, 6, 1> slope;  // d length / d(a, b): unit tangents at the ends [1]
+  Eigen::Matrix<double, 6, 6> curve;  // d2 length / d(a, b)2 [1/m]
+  Eigen::Vector3d touch_a,
+      touch_b;  // points where it meets and leaves the surface; a and b if straight [m] (3)
 };
 
-/// Straight string.
+/// Computes the length and derivatives of a straight string.
 [[nodiscard]] WrappedString straight_string(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// String over a sphere or a cylinder, with all points in the surface's frame S.
+/// Computes the string over a sphere or a cylinder, with all points in the surface's frame S.
 ///   sphere    L = |a tangent| + arc + |b tangent|  in the plane of a, b and the centre
 ///   cylinder  L = sqrt(P^2 + dz^2), P the same in the plane across the axis
 /// An end inside the surface counts as lying on it, at the nearest point; `possible` is then false
-/// and `curve` leaves out how that point turns.
+/// and `curve` omits the change of that nearest point.
 /// Length and slope are continuous at lift-off, the second derivative is not.
-/// @param side_S  direction from the axis towards the side on which the string passes, whatever is
-///                shorter (cylinder); on a sphere it only decides between antipodal ways (3)
+/// @param side_S  direction from the axis towards the side on which the string passes, even if the
+/// other is shorter (cylinder); on a sphere it only decides between antipodal ways (3)
 [[nodiscard]] WrappedString wrap_string(const BoneSurface& surface, const Eigen::Vector3d& a_S,
                                         const Eigen::Vector3d& b_S, const Eigen::Vector3d& side_S);
 

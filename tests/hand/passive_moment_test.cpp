@@ -44,7 +44,7 @@ TEST(PassiveMoment, FollowersActByTheirRatio) {
 TEST(PassiveMoment, SlopesAreThoseOfMomentAndEnergy) {
   const CoordinateLimits limits = stiff_coordinate();
   constexpr double h = 1e-6;
-  for (const double q : {-1.2, -0.4, 0.3, 0.9, 1.6, 2.9, 4.0}) {  // the last two past kStraightPast
+  for (const double q : {-1.2, -0.4, 0.3, 0.9, 1.6, 2.9, 4.0}) {  // the last two past kMaxExponent
     const double moment = passive_moment(limits, q), slope = passive_moment_slope(limits, q);
     EXPECT_NEAR(slope, (passive_moment(limits, q + h) - passive_moment(limits, q - h)) / (2 * h),
                 1e-8 * (1 + std::abs(slope)))

@@ -160,7 +160,7 @@ std::vector<SweepPoint> natural_flexion(const NetTendons& tendons) {
 /// Moment arm of the run that crosses the middle joint, extension positive [m].
 double extension_arm(const NetTendons& tendons, const SweepPoint& point, const std::string& band) {
   const Net& net = tendons.net().net;
-  const NetBand& run = net.bands[static_cast<std::size_t>(band_named(net, band))];
+  const NetBand& run = net.bands[static_cast<std::size_t>(band_index(net, band))];
   const TreeState<double> state = pose_tree(tendons.digit().model.tree, point.q);
   const auto& joint =
       state[static_cast<std::size_t>(tendons.net().frame.bone(BoneRole::kMiddle).link)];
@@ -302,7 +302,7 @@ TEST_P(ExtensorHood, HandsTheLossToTheProximalPhalanx) {
   const auto held = [&](const SweepPoint& point) {
     double sum = 0;
     for (const char* band : {"sagittal_oblique_u", "sagittal_oblique_r"})
-      sum += point.rest.tension[band_named(tendons.net().net, band)];
+      sum += point.rest.tension[band_index(tendons.net().net, band)];
     return sum;
   };
   EXPECT_GT(held(bent), held(straight) + 0.5);  // [N]
@@ -397,7 +397,7 @@ TEST_P(ExtensorHood, DoesNotDependOnTheWayThroughTheJointBox) {
       at.rest = follow_from_straight(tendons, from, t).rest;
       at.slips = slip_tension(tendons.net(), at.rest);
       for (const VectorXd& q : postures_between(from, to, steps)) {
-        const SweepPoint next = sweep_on(tendons, &at, q, t);
+        const SweepPoint next = next_sweep_point(tendons, &at, q, t);
         EXPECT_FALSE(next.snapped) << load[0].first << " at " << q.transpose();
         EXPECT_LT(std::abs(next.slips.central - at.slips.central), 0.1 * t.sum());
         EXPECT_LT(std::abs(next.slips.terminal - at.slips.terminal), 0.1 * t.sum());
@@ -434,7 +434,7 @@ TEST_P(ExtensorHood, HasThePublishedStiffness) {
   const NetTendons tendons = extensor_hood(GetParam());
   const Net& hood = tendons.net().net;
   const auto stiffness = [&](const std::string& name) {  // [N/mm]
-    const NetBand& band = hood.bands[static_cast<std::size_t>(band_named(hood, name))];
+    const NetBand& band = hood.bands[static_cast<std::size_t>(band_index(hood, name))];
     return band.EA / band.slack * 1e-3;
   };
   EXPECT_NEAR(stiffness("central_slip_u") + stiffness("central_slip_r"), 275, 55);

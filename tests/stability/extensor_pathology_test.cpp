@@ -48,7 +48,7 @@ double height_beside(const NetTendons& tendons, const SweepPoint& point, const s
   const FingerBone& bone = tendons.net().frame.bone(BoneRole::kProximal);
   const TreeState<double> state = pose_tree(tendons.digit().model.tree, point.q);
   const Eigen::Vector3d p = state[static_cast<std::size_t>(bone.link)].X.inverse() *
-                            Eigen::Vector3d(point.rest.x.col(node_named(tendons.net().net, node)));
+                            Eigen::Vector3d(point.rest.x.col(node_index(tendons.net().net, node)));
   return (p - bone.distal).dot(bone.dorsal);
 }
 

@@ -33,7 +33,7 @@ TEST(CollapsedArms, AreToldWhereAStraightRunCutsThroughTheJoint) {
   const std::vector<VanishingArm> bent = at_pip(90);
   ASSERT_EQ(bent.size(), 1U);
   EXPECT_LT(std::abs(bent[0].arm), 1e-3);
-  EXPECT_GT(bent[0].most, 7e-3);
+  EXPECT_GT(bent[0].max_arm, 7e-3);
   EXPECT_TRUE(at_pip(45).empty());
 }
 

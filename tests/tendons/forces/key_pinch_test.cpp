@@ -113,7 +113,7 @@ TEST(KeyPinch, OfAThumbThatCannotPressNothingIsLost) {
   TendonDigit digit = hinge();
   digit.max_tension[0] = 0;
   const PinchStrength pinch = measure_pinch(digit, pinch_of_hinge({{"E", 0}}));
-  EXPECT_LT(pinch.intact, kNoPinch);
+  EXPECT_LT(pinch.intact, kMinPinchForce);
   EXPECT_TRUE(std::isnan(pinch.loss[0]));
 }
 
@@ -162,7 +162,7 @@ TEST(KeyPinch, RefusesJointsAndDigitsThatAreNotThere) {
 TEST(KeyPinch, BothBlocksTakeNoLessThanEither) {
   const PinchLosses losses = published();
   const PinchStrength pinch = measure_pinch(five_axis_thumb(), losses);
-  EXPECT_GT(pinch.intact, kNoPinch);
+  EXPECT_GT(pinch.intact, kMinPinchForce);
   EXPECT_GE(pinch.loss[2], pinch.loss[0] - 1e-9);
   EXPECT_GE(pinch.loss[2], pinch.loss[1] - 1e-9);
   EXPECT_TRUE((pinch.loss.array() >= 0).all() && (pinch.loss.array() <= 1).all());

@@ -100,8 +100,8 @@ double enumerated(const TipStatics& statics, const Vector3d& d, const TipLoadOpt
   // A stop turns its joint by itself, one way.
   for (Index k = 0; k < stops; ++k) {
     const JointStop& stop = options.stops[static_cast<std::size_t>(k)];
-    M(stop.coordinate, 1 + others + m + k) = stop.most > 0 ? -1 : 1;
-    upper(1 + others + m + k) = std::abs(stop.most);
+    M(stop.coordinate, 1 + others + m + k) = stop.max_torque > 0 ? -1 : 1;
+    upper(1 + others + m + k) = std::abs(stop.max_torque);
   }
   return by_enumeration(M, statics.tau_0, lower, upper);
 }
@@ -167,7 +167,7 @@ TEST_P(OtherLoad, StopsAgreeWithEnumerationOfVertices) {
     ASSERT_EQ(found.stop_price.size(), 2);
     EXPECT_EQ(found.stop_price(1), 0);
     TipLoadOptions more = options;
-    more.stops[0].most += 1e-5;
+    more.stops[0].max_torque += 1e-5;
     EXPECT_NEAR((enumerated(statics, d, more) - wanted) / 1e-5, found.stop_price(0),
                 1e-4 * std::max(1.0, found.stop_price(0)));
     limited += found.stop_price(0) > 0 ? 1 : 0;

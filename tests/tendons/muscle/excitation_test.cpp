@@ -26,7 +26,7 @@ TEST(Excitation, ConstantIsOnePiece) {
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_EQ(pieces[0].begin, 0);
   EXPECT_EQ(pieces[0].end, 3);
-  EXPECT_EQ(pieces[0].at(1.5), Eigen::Vector2d(0.2, 0.7));
+  EXPECT_EQ(pieces[0].value_at(1.5), Eigen::Vector2d(0.2, 0.7));
 }
 
 TEST(Excitation, RampsAndJumpsBetweenKnots) {
@@ -34,12 +34,12 @@ TEST(Excitation, RampsAndJumpsBetweenKnots) {
   const Excitation e{Eigen::Vector3d(1, 3, 3), Eigen::Vector3d(0, 1, 0.5)};
   const auto pieces = excitation_pieces(e, 4);
   ASSERT_EQ(pieces.size(), 3u);
-  EXPECT_EQ(pieces[0].at(0.5)[0], 0);
+  EXPECT_EQ(pieces[0].value_at(0.5)[0], 0);
   EXPECT_FALSE(pieces[1].jumps);
-  EXPECT_EQ(pieces[1].at(2)[0], 0.5);
-  EXPECT_EQ(pieces[1].at(3)[0], 1);
+  EXPECT_EQ(pieces[1].value_at(2)[0], 0.5);
+  EXPECT_EQ(pieces[1].value_at(3)[0], 1);
   EXPECT_TRUE(pieces[2].jumps);
-  EXPECT_EQ(pieces[2].at(3)[0], 0.5);
+  EXPECT_EQ(pieces[2].value_at(3)[0], 0.5);
   EXPECT_EQ(pieces[2].end, 4);
 }
 

@@ -94,7 +94,7 @@ class NetMotion : public testing::TestWithParam<const char*> {
     TendonOptions rungs;
     rungs.hood = Hood::kFloatingNet;
     const NetDescription net = read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()));
-    tendons_ = build_net_tendons(subject, "index", rungs, net)->smoothed(kBlend);
+    tendons_ = build_net_tendons(subject, "index", rungs, net)->smoothed(kBlendStrain);
     contraction_ = build_contraction(musculotendons(subject, tendons_->digit(), Muscle::kBounds),
                                      Muscle::kBounds);
   }

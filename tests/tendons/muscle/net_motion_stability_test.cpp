@@ -20,7 +20,7 @@ const char* const kNets[] = {"winslow", "dogadov2017", "chao_an"};
 const Muscle kRungs[] = {Muscle::kBounds, Muscle::kRigidTendon, Muscle::kElasticTendon};
 const char* const kEnds[] = {"done", "stopped", "stuck", "no progress", "unbalanced"};
 
-std::unique_ptr<DigitTendons> net_of(const Subject& subject, const std::string& net) {
+std::unique_ptr<DigitTendons> net_with_stiffness(const Subject& subject, const std::string& net) {
   TendonOptions rungs;
   rungs.hood = Hood::kFloatingNet;
   return build_net_tendons(subject, "index", rungs,
@@ -58,7 +58,7 @@ Trajectory motion(int k, const DigitTendons& tendons, const Subject& subject, do
 // lot the two came apart, by how much hung on the steps, and angles ended up to 70 mrad apart.
 TEST(NetMotionStability, EndsDoNotHangOnTheTolerance) {
   const Subject subject = sample::index_finger();
-  const auto winslow = net_of(subject, "winslow");
+  const auto winslow = net_with_stiffness(subject, "winslow");
   const VectorXd excitation = (VectorXd(7) << 0.05, 0.02, 0.1, 0.02, 0.02, 0.02, 0.02).finished();
   for (const Muscle rung : {Muscle::kRigidTendon, Muscle::kElasticTendon}) {
     const auto end = [&](double tolerance) -> VectorXd {
@@ -81,7 +81,7 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
   const double seconds = wanted ? 0.2 : 0.03;
   const Subject subject = sample::index_finger();
   std::map<std::string, std::unique_ptr<DigitTendons>> nets;
-  for (const char* net : kNets) nets[net] = net_of(subject, net);
+  for (const char* net : kNets) nets[net] = net_with_stiffness(subject, net);
 
   std::map<MotionStatus, int> ends;
   double worst = 0;
@@ -114,7 +114,7 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
 // its exit (motion 22), they pushed it in and out for ever.
 TEST(NetMotionStability, GetsPastAKnotThatIsDrawnIn) {
   const Subject subject = sample::index_finger();
-  const Trajectory path = motion(22, *net_of(subject, "dogadov2017"), subject, 0.05);
+  const Trajectory path = motion(22, *net_with_stiffness(subject, "dogadov2017"), subject, 0.05);
   EXPECT_NEAR(path.time.tail<1>()[0], 0.05, 1e-12) << path.warning;
   EXPECT_LT(path.counts.steps, 2000);
   EXPECT_EQ(path.status, MotionStatus::kCompleted);
@@ -124,7 +124,7 @@ TEST(NetMotionStability, GetsPastAKnotThatIsDrawnIn) {
 // net came to rest elsewhere in all but the shortest steps.
 TEST(NetMotionStability, KeepsKnotsOnBonesThatMoveOn) {
   const Subject subject = sample::index_finger();
-  const Trajectory path = motion(283, *net_of(subject, "dogadov2017"), subject, 0.02);
+  const Trajectory path = motion(283, *net_with_stiffness(subject, "dogadov2017"), subject, 0.02);
   EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
   EXPECT_LT(path.counts.steps, 1000);
 }
@@ -140,7 +140,7 @@ TEST(NetMotionStability, MusclesThatStartAtRestMakeNoEnergy) {
   for (const VectorXd& excitation : {of(0.2, 0.2, 0), of(0.05, 0.02, 0.1)})
     for (const char* net : {"chao_an", "winslow"}) {
       const Trajectory path =
-          motion_of(*net_of(subject, net), subject,
+          motion_of(*net_with_stiffness(subject, net), subject,
                     {Muscle::kRigidTendon, VectorXd::Zero(4), excitation, 0.05});
       EXPECT_EQ(path.status, MotionStatus::kCompleted) << net << " " << path.warning;
       EXPECT_LT(path.balance.error, 1e-5 * path.balance.turned_over) << net;

@@ -50,8 +50,8 @@ TEST(TensionSolver, AgreesWithSingleMuscles) {
       EXPECT_EQ(alone.tension, out.tension);
       for (int m = 0; m < 3; ++m) {
         const Musculotendon& muscle = muscles[static_cast<std::size_t>(m)];
-        const double t = contraction->tension(m, at.of(m));
-        const TensionDerivatives by = contraction->tension_derivatives(m, at.of(m));
+        const double t = contraction->tension(m, at.muscle(m));
+        const TensionDerivatives by = contraction->tension_derivatives(m, at.muscle(m));
         const double F0 = muscle.F0, optimum = muscle.optimal_fibre_length;
         // Forces of stretched fibres may be many times F0.
         const double some = kRounding * std::max(F0, t);

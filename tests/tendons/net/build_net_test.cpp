@@ -225,7 +225,7 @@ TEST(BuildNet, FittedBandsAreTautAndStrainAlikeInTheStraightFinger) {
   for (std::size_t k = 0; k < plan.bands.size(); ++k) {
     EXPECT_GT(strain(static_cast<int>(k)), -1e-5) << plan.bands[k].name;
     if (plan.bands[k].strains_like.empty()) continue;
-    const int like = band_named(b.net, plan.bands[k].strains_like);
+    const int like = band_index(b.net, plan.bands[k].strains_like);
     EXPECT_NEAR(strain(static_cast<int>(k)), strain(like), 1e-5) << plan.bands[k].name;
   }
 }

@@ -46,7 +46,7 @@ TEST(NetFollower, SnapsWhereTheEnergyFoldsAndTellsWhatThatReleases) {
   EXPECT_NEAR(snaps[0].share, (1 - fold) / 0.8, 1e-4);          // of stiffness lost in rounding
   EXPECT_NEAR(snaps[0].released, 2 * kAside * (1 - fold), 1e-6);
   EXPECT_NEAR(snaps[0].moved, 2 * kRadius, 1e-6);
-  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.torque_at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
 }
 
 // Between the folds either side is at rest: that from which it came.
@@ -55,10 +55,10 @@ TEST(NetFollower, RemembersFromWhichSideItCame) {
   NetFollower net(tendons);
   (void)net.accept(kStill, Vector2d(1, 1));
   EXPECT_TRUE(net.accept(kStill, Vector2d(0.5, 1)).snaps.empty());
-  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.5, 1))), kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.torque_at(kStill, Vector2d(0.5, 1))), kRadius, 1e-9);
   (void)net.accept(kStill, Vector2d(0.2, 1));
   EXPECT_TRUE(net.accept(kStill, Vector2d(1, 1)).snaps.empty());
-  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(1, 1))), -kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.torque_at(kStill, Vector2d(1, 1))), -kRadius, 1e-9);
 }
 
 // Trials of an integrator leave no trace.
@@ -66,8 +66,8 @@ TEST(NetFollower, ForgetsWhatWasNotAccepted) {
   const NetTendons tendons = two_exits();
   NetFollower net(tendons);
   (void)net.accept(kStill, Vector2d(1, 1));
-  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
-  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.9, 1))), kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.torque_at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.torque_at(kStill, Vector2d(0.9, 1))), kRadius, 1e-9);
 }
 
 // On stiff tendons of one law it rests between the exits, where under tensions that stay its energy
@@ -91,7 +91,7 @@ TEST(NetFollower, RestsOnTendonsWhereTensionsAloneDoNotHoldIt) {
   NetFollower held(tendons);
   (void)held.accept(kStill, Vector2d(2, 1));
   const VectorXd first = ends(1);
-  const TendonTorque at = held.at(kStill, Vector2d(2, 1));
+  const TendonTorque at = held.torque_at(kStill, Vector2d(2, 1));
   const auto spring = std::make_shared<const sample::Spring>();
   const auto net = tendons.follower_on_tendons({{spring, spring}, kStill, first, at});
   ASSERT_TRUE(net);
@@ -100,7 +100,7 @@ TEST(NetFollower, RestsOnTendonsWhereTensionsAloneDoNotHoldIt) {
     const NetStep step = net->accept(kStill, ends(cosine));
     EXPECT_TRUE(step.snaps.empty()) << cosine;
     EXPECT_NEAR(step.unexplained, 0, 1e-8);  // [J]
-    const TendonTorque now = net->at(kStill, ends(cosine));
+    const TendonTorque now = net->torque_at(kStill, ends(cosine));
     EXPECT_NEAR(side_of(now), kRadius * cosine, 1e-8);
     EXPECT_NEAR(now.tension[0] / now.tension[1],
                 std::sqrt((s - product * cosine) / (s + product * cosine)), 1e-6);
@@ -115,11 +115,11 @@ TEST(NetFollower, RefusesTheSameEndsAgain) {
   const auto spring = std::make_shared<const sample::Spring>();
   const VectorXd first = Vector2d(kRadius - kAside, kRadius + kAside) - Vector2d(2e-5, 1e-5);
   const auto net = tendons.follower_on_tendons(
-      {{spring, spring}, kStill, first, held.at(kStill, Vector2d(2, 1))});
+      {{spring, spring}, kStill, first, held.torque_at(kStill, Vector2d(2, 1))});
   const Vector2d wrong(first[0], std::nan(""));
-  EXPECT_THROW((void)net->at(kStill, wrong), InputError);
-  EXPECT_THROW((void)net->at(kStill, wrong), InputError);
-  EXPECT_TRUE(net->at(kStill, first).tau.allFinite());
+  EXPECT_THROW((void)net->torque_at(kStill, wrong), InputError);
+  EXPECT_THROW((void)net->torque_at(kStill, wrong), InputError);
+  EXPECT_TRUE(net->torque_at(kStill, first).tau.allFinite());
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ inline NetTendons net_on_rod(Net net) {
 class Spring : public TensionLaw {
  public:
   static constexpr double kStiffness = 1e5;  // [N/m]
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     return length > 0
                ? BandResponse{kStiffness * length * length / 2, kStiffness * length, kStiffness}
                : BandResponse{0, 0, 0};

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 /// A tendon that is the stiffer the more it pulls:  T = base + k l^2.
 class Tendon : public TensionLaw {
  public:
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const double l = std::max(length, 0.0);
     return {kBase * length + kSteep * l * l * l / 3, kBase + kSteep * l * l, 2 * kSteep * l};
   }
@@ -48,7 +48,7 @@ class PulledNet : public testing::TestWithParam<const char*> {
 
   /// Loads of tendons that pull with these tensions at this rest.
   [[nodiscard]] PostureAndLoad on_tendons() const {
-    const VectorXd length = net().lengths(q_, t_, net().torque_at_rest(q_, t_, rest_));
+    const VectorXd length = net().lengths(q_, t_, net().torque_at_equilibrium(q_, t_, rest_));
     PostureAndLoad at{q_, length};
     for (Index m = 0; m < t_.size(); ++m) at.load[m] -= Tendon::length_at(t_[m]);
     return at;
@@ -104,7 +104,7 @@ TEST_P(NetOnTendons, PotentialChangesByTorqueAndTension) {
 TEST_P(NetOnTendons, TendonsThatPullAsHardHoldItWhereTensionsDo) {
   const PostureAndLoad at = on_tendons();
   const TendonTorque now = pull_.torque(at, pull_.rest(at, rest_.x));
-  const TendonTorque there = net().torque_at_rest(q_, t_, rest_);
+  const TendonTorque there = net().torque_at_equilibrium(q_, t_, rest_);
   EXPECT_TRUE(matrix_near(now.tau, there.tau, 2e-4 * there.tau.norm()));
   EXPECT_LT((now.nodes - there.nodes).cwiseAbs().maxCoeff(), 2e-7);
 }
@@ -199,7 +199,7 @@ TEST(PullByTendon, SlopesHoldNearAnExit) {
 /// A tendon that no number holds when it is stretched.
 class Endless : public TensionLaw {
  public:
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     const double rise = std::exp(length / 1e-5);
     return {1e-5 * rise, rise, rise / 1e-5};
   }

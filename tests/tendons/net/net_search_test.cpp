@@ -63,12 +63,12 @@ Net fork(double EA) {
   for (NetBand* band : {&left, &right}) {
     band->slack = 0.01;
     band->EA = EA;
-    band->most_strain = 0.1;
+    band->max_strain = 0.1;
   }
   muscle.muscle = 0;
   net.bands = {left, right, muscle};
   net.muscles = {"muscle"};
-  net.most_load = 3;
+  net.max_load = 3;
   return net;
 }
 
@@ -96,7 +96,7 @@ TEST(Overstrained, IsANetWhoseBandsBearMoreThanThreeTimesThePull) {
   EXPECT_EQ(over.status, NetStatus::kOverstrained);
   EXPECT_EQ(over.overstrained, std::vector<int>{3});
   // A net that was not laid on a finger has no such bounds.
-  net.most_load = std::numeric_limits<double>::infinity();
+  net.max_load = std::numeric_limits<double>::infinity();
   EXPECT_EQ(rest_of(net, 16).status, NetStatus::kBalanced);
 }
 
@@ -106,7 +106,7 @@ TEST(NetDescription, StatesWhatItsTissueBears) {
   plan.bands.front().most_strain = 0.2;
   const Subject subject = read_subject(kData + "/subjects/human_hand.toml");
   const BuiltNet built = build_net(subject, build_tendon_digit(subject, "ring"), plan);
-  EXPECT_EQ(built.net.bands.front().most_strain, 0.2);
+  EXPECT_EQ(built.net.bands.front().max_strain, 0.2);
 }
 
 // One posture, asked alone and as the last of a row.

@@ -49,7 +49,7 @@ Net two_bands() {
 /// Pulls with kPull at the length that its band has there.
 class PullAtRest : public TensionLaw {
  public:
-  [[nodiscard]] BandResponse at(double length) const override {
+  [[nodiscard]] BandResponse response_at(double length) const override {
     constexpr double kStiffness = 1e5;  // [N/m]
     const double T = kPull + kStiffness * (length - 0.01);
     return T > 0 ? BandResponse{T * T / (2 * kStiffness), T, kStiffness} : BandResponse{0, 0, 0};

@@ -98,11 +98,11 @@ TEST(WeighBands, NamesTheBlindDirection) {
 // Of their ratio the data tell 1 %, of EA alone nothing; where one is known, so is the other.
 TEST(WeighBands, TellsAStiffnessThatTheDataDecide) {
   for (const BandVerdict& band : weigh(tug::candidate(2), share(0.5)).verdicts)
-    EXPECT_FALSE(band.EA_told);
+    EXPECT_FALSE(band.EA_determined);
   CandidateNet known = tug::candidate(2);
   known.candidates.pop_back();  // the second band exists and its EA is known
   const InferredNet net = weigh(known, share(0.5));
-  EXPECT_TRUE(net.verdicts[0].EA_told);
+  EXPECT_TRUE(net.verdicts[0].EA_determined);
   // d log share / d log EA_0 = 1/2, and the share is known to 2 %.
   EXPECT_NEAR(net.verdicts[0].EA_sd, 0.04, 1e-3);
 }

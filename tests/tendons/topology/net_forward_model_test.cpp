@@ -56,12 +56,12 @@ TEST(PredictNet, AddsWhatIsNotInTheNetAndMapsTorque) {
 TEST(PredictNet, SaysHowFarOutOfBalanceItsNetsAre) {
   CandidateNet candidate = tug::candidate(2);
   for (NetBand& band : candidate.net.bands) band.EA *= 1e6;
-  for (CandidateBand& band : candidate.candidates) band.least *= 1e6, band.most *= 1e6;
+  for (CandidateBand& band : candidate.candidates) band.min_EA *= 1e6, band.max_EA *= 1e6;
   NetForwardModel strong(candidate, {tug::test(1e6)}), usual(tug::candidate(2), {tug::test(4)});
   const NetPrediction got = strong.predict(Vector2d(5e7, 1.5e8), Sensitivities::kWith);
   ASSERT_TRUE(got.holds);
   EXPECT_GT(got.residual, NetSolverOptions().tolerance);
-  EXPECT_LT(got.residual, kSettledNet);
+  EXPECT_LT(got.residual, kMaxSettledResidual);
   EXPECT_LT(usual.predict(Vector2d(50, 150), Sensitivities::kWith).residual,
             NetSolverOptions().tolerance);
 }
@@ -79,7 +79,7 @@ TEST(CandidateNet, RefusesAMusclesBand) {
 
 TEST(CandidateNet, RefusesABandThatMayHaveNoStiffness) {
   CandidateNet candidate = tug::candidate(1);
-  candidate.candidates[0].least = 0;
+  candidate.candidates[0].min_EA = 0;
   EXPECT_THROW(check_candidates(candidate), InputError);
 }
 

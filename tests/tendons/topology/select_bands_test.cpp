@@ -63,7 +63,7 @@ void report(const char* method, const Count& count) {
 double planted_misfit(BandFitter& fitter, const Eigen::VectorXd& EA) {
   std::vector<bool> bands;
   for (double stiffness : EA) bands.push_back(stiffness > 0);
-  return fitter.fit(presences_of(bands), EA.cwiseQuotient(fitter.typical())).misfit;
+  return fitter.fit(topology_presences(bands), EA.cwiseQuotient(fitter.typical_EA())).misfit;
 }
 
 /// The best net of a search over topologies fits as well as the planted one: otherwise it stopped
