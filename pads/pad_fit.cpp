@@ -193,7 +193,7 @@ Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
 /// Returns the diagonal of the inverse of J'J; infinite for coordinates along singular directions.
 VectorXd variances(const MatrixXd& J) {
   // Decompose the information J'J.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(J.transpose() * J);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(MatrixXd(J.transpose() * J));
   const VectorXd& lambda = spectrum.eigenvalues();
   const MatrixXd& v = spectrum.eigenvectors();
   const double small = kSingularShare * std::max(lambda.tail<1>()[0], 1e-300);

@@ -27,7 +27,7 @@ ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd&
   }
   // Compute the eigenvalues of J'J; undetermined directions get a small one.
   const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, free_);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd(J.transpose() * J));
   const double largest = free_.empty() ? 0 : eigen.eigenvalues().maxCoeff();
   axes_ = eigen.eigenvectors();
   lambda_ = eigen.eigenvalues().cwiseMax(largest > 0 ? kMinCurvatureShare * largest : 1);

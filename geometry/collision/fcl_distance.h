@@ -20,7 +20,7 @@ class FclMesh {
   FclMesh(const FclMesh&) = delete;
   FclMesh& operator=(const FclMesh&) = delete;
 
-  struct Model;  // type of FCL, in fcl_separation.cpp
+  struct Model;  // type of FCL, in fcl_distance.cpp
   [[nodiscard]] const Model& model() const { return *model_; }
 
  private:

@@ -112,7 +112,8 @@ Whitened whiten(const Eigen::MatrixXd& x) {
   const Eigen::VectorXd scale = sd.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
   // Keep the eigenvectors of the correlation with nonzero variance.
   const Eigen::MatrixXd z = scale.asDiagonal() * centred;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z * z.transpose() / double(x.cols()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+      MatrixXd(z * z.transpose() / double(x.cols())));
   const Eigen::Index kept = (eigen.eigenvalues().array() > 1e-12).count();
   Whitened whitened;
   whitened.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *

@@ -21,7 +21,8 @@ Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& 
   const Eigen::MatrixXd bend = (gradient.rightCols(n) - gradient.leftCols(n)) / (2 * kGradientStep);
   if (!bend.allFinite()) return Eigen::MatrixXd::Identity(n, n);
   // Invert the symmetric part, with positive curvatures.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((bend + bend.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+      Eigen::MatrixXd((bend + bend.transpose()) / 2));
   const Eigen::VectorXd positive = eigen.eigenvalues().cwiseAbs().cwiseMax(kMinBend);
   return eigen.eigenvectors() * positive.cwiseInverse().asDiagonal() *
          eigen.eigenvectors().transpose();

@@ -38,14 +38,14 @@ SpanRate span_rate(const PathSpan& span, const Vector3d& a_dot, const Vector3d& 
 }
 
 /// Motion of the tree by one coordinate, which gives one column of derivatives.
-struct CoordinateMotion {
+struct JointRotation {
   const Tree<double>& tree;
   const TreeState<double>& state;
   TreeVelocity rate;
 };
 
 /// Adds the rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
-void add_span(const CoordinateMotion& turn, const SpanRate& run, double scale, double scale_dot,
+void add_span(const JointRotation& turn, const SpanRate& run, double scale, double scale_dot,
               Column column) {
   int a = run.span->link_a, b = run.span->link_b;
   if (a == b) return;
@@ -65,7 +65,7 @@ void add_span(const CoordinateMotion& turn, const SpanRate& run, double scale, d
 }
 
 /// Adds the rate of  w . dp/dq  of a point of a link.
-void add_motion(const CoordinateMotion& turn, int link, const RatedVector& p, const RatedVector& w,
+void add_motion(const JointRotation& turn, int link, const RatedVector& p, const RatedVector& w,
                 Column column) {
   for_each_hinge_to_base(turn.tree, link, [&](int hinge) {
     const auto i = static_cast<std::size_t>(hinge);
@@ -134,7 +134,7 @@ RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
 }
 
 /// Adds the rates of the terms of a riding origin; see path_arms.cpp.
-void add_riding(const CoordinateMotion& turn, const SpanRate& last, const RideRate& ride,
+void add_riding(const JointRotation& turn, const SpanRate& last, const RideRate& ride,
                 const Column& column) {
   const SpanRate& run = (*ride.carrier)[ride.span];
   // Split the pull into the part along the carrier and the rest across it.
@@ -258,7 +258,7 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
   std::vector<std::vector<SpanRate>> runs(shapes.size());
   SpanWorkspace workspace;
   for (int l = 0; l < coordinates; ++l) {
-    const CoordinateMotion turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
+    const JointRotation turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       const PathShape& shape = shapes[k];
       if (!slopes[k].exist || (!carries[k] && !has_hinge(tree, shape, l))) continue;

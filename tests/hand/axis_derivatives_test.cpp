@@ -25,7 +25,7 @@ static_assert(!kAsks<Tree<double>, const TreeState<double>&>);
 static_assert(!kAsks<const Tree<double>&, TreeState<double>>);
 static_assert(!kAsks<Tree<double>, TreeState<double>>);
 
-struct PosedDigit {
+struct PosedAxes {
   Skeleton skeleton;
   Eigen::VectorXd q;
   TreeState<double> state;
@@ -34,9 +34,9 @@ struct PosedDigit {
   Eigen::Vector3d x;  // now
 };
 
-PosedDigit posed_digit(const Subject& subject, unsigned seed) {
+PosedAxes posed_digit(const Subject& subject, unsigned seed) {
   sample::Draw draw(seed);
-  PosedDigit s{build_skeleton(subject), {}, {}, 0, {}, {}};
+  PosedAxes s{build_skeleton(subject), {}, {}, 0, {}, {}};
   s.q = draw.posture(s.skeleton);
   s.state = pose_tree(s.skeleton.tree, s.q);
   s.link = s.skeleton.tips[0].link;
@@ -69,7 +69,7 @@ ByAxis derivative(const Vec3<Jet>& x) {
   return D;
 }
 
-void expect_equal_to_jets(const PosedDigit& s) {
+void expect_equal_to_jets(const PosedAxes& s) {
   for (int i = 0; i < static_cast<int>(s.skeleton.tree.size()); ++i) {
     const AxisQuestion question{s.skeleton.tree, s.state, s.q, i};
     const Tree<Jet> tree = jet_tree(s.skeleton.tree, i);
@@ -109,7 +109,7 @@ Tree<double> moved_axis(Tree<double> tree, int i, const Eigen::Matrix<double, 5,
 }
 
 TEST(AxisDerivatives, EqualFiniteDifferences) {
-  const PosedDigit s = posed_digit(sample::random_hand(5), 6);
+  const PosedAxes s = posed_digit(sample::random_hand(5), 6);
   const double h = 1e-6;  // [rad] or [m]
   for (const int i : {0, 1, 3, 5}) {
     const ByAxis D = position_by_axis({s.skeleton.tree, s.state, s.q, i}, s.link, s.x);
@@ -124,7 +124,7 @@ TEST(AxisDerivatives, EqualFiniteDifferences) {
 }
 
 TEST(AxisDerivatives, OfRotationEqualFiniteDifferences) {
-  const PosedDigit s = posed_digit(sample::random_hand(5), 6);
+  const PosedAxes s = posed_digit(sample::random_hand(5), 6);
   const double h = 1e-6;  // [rad] or [m]
   const int n = s.skeleton.coordinates();
   for (const int i : {0, 1, 3, 5}) {
@@ -142,7 +142,7 @@ TEST(AxisDerivatives, OfRotationEqualFiniteDifferences) {
 }
 
 TEST(AxisDerivatives, VanishAlongTheAxis) {
-  const PosedDigit s = posed_digit(sample::random_hand(7), 8);
+  const PosedAxes s = posed_digit(sample::random_hand(7), 8);
   for (const int i : {0, 2, 4}) {
     const ByAxis D = position_by_axis({s.skeleton.tree, s.state, s.q, i}, s.link, s.x);
     EXPECT_TRUE(matrix_near(D.rightCols<3>() * s.skeleton.tree[i].direction,
@@ -151,7 +151,7 @@ TEST(AxisDerivatives, VanishAlongTheAxis) {
 }
 
 TEST(AxisDerivatives, AreZeroForOtherDigits) {
-  const PosedDigit s = posed_digit(sample::random_hand(9), 10);
+  const PosedAxes s = posed_digit(sample::random_hand(9), 10);
   const int other = s.skeleton.tips[1].link;
   EXPECT_TRUE(position_by_axis({s.skeleton.tree, s.state, s.q, other}, s.link, s.x).isZero(0));
   for (const ByAxis& D :
