@@ -55,7 +55,7 @@ inline constexpr std::array kForceNormNames{EnumName{ForceNorm::kL1, "l1"},
 
 namespace internal {
 /// Singular values, widths and distances below this fraction of the largest count as zero [1]
-inline constexpr double kRankTolerance = 1e-10;
+inline constexpr double kWrenchRankTolerance = 1e-10;
 }  // namespace internal
 
 }  // namespace thenar

@@ -193,7 +193,7 @@ std::vector<WrenchCoordinates> distinct(const std::vector<WrenchCoordinates>& po
 std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& points) {
   double size = 0;
   for (const WrenchCoordinates& point : points) size = std::max(size, point.norm());
-  const double tolerance = kRankTolerance * size;
+  const double tolerance = kWrenchRankTolerance * size;
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};

@@ -87,7 +87,7 @@ class EpsilonSearch {
   /// Grows the hull until its nearest facet is certified. @returns false if the set is flat
   bool run() {
     // Start from a simplex of support points; a flat set has none.
-    const auto simplex = internal::first_simplex(support_, internal::kRankTolerance);
+    const auto simplex = internal::first_simplex(support_, internal::kWrenchRankTolerance);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
     Hull hull(simplex.points);

@@ -146,7 +146,8 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
     all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  found.rank = static_cast<int>((sigma.array() > internal::kRankTolerance * sigma(0)).count());
+  found.rank =
+      static_cast<int>((sigma.array() > internal::kWrenchRankTolerance * sigma(0)).count());
   Vector3d missing = svd.matrixU().col(2);
   // Full rank: the minimum support over all facet normals, if it is positive.
   if (found.rank == 3) {

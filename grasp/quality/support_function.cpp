@@ -105,7 +105,8 @@ WrenchSpan span_of(const WrenchSet& set) {
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  return {static_cast<int>((sigma.array() > kRankTolerance * sigma(0)).count()), svd.matrixU()};
+  return {static_cast<int>((sigma.array() > kWrenchRankTolerance * sigma(0)).count()),
+          svd.matrixU()};
 }
 
 FirstSimplex first_simplex(const SupportFunction& support, double flat) {

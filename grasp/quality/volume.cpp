@@ -89,7 +89,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   const ForceNorm limit = options.limit;
   const Rounded round = rounded(set, limit);
   const internal::SupportFunction support(round.set, limit);
-  const auto simplex = internal::first_simplex(support, internal::kRankTolerance);
+  const auto simplex = internal::first_simplex(support, internal::kWrenchRankTolerance);
   if (!simplex.found) return {0, true, 0};
   internal::Hull hull(simplex.points);
   double off = 0;
