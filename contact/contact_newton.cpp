@@ -137,14 +137,14 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
   auto column = column_.head(contacts.rows());
   for (Index j = 0; j < k; ++j) {
     // Velocities of all rows by a unit of unknown j.
-    const Unknown& unknown = unknowns_[static_cast<std::size_t>(j)];
+    const Unknown& unknown = unknowns_[j];
     column = unknown.impulse(0) * A.col(unknown.start);
     for (int r = 1; r < unknown.rows; ++r)
       if (unknown.impulse(r) != 0) column += unknown.impulse(r) * A.col(unknown.start + r);
 
     // Column j of the system, by the equations of all unknowns.
     for (Index i = 0; i < k; ++i) {
-      const Unknown& row = unknowns_[static_cast<std::size_t>(i)];
+      const Unknown& row = unknowns_[i];
       R_(i, j) = row.rows == 1
                      ? column(row.start)
                      : row.velocity.head(row.rows).dot(column.segment(row.start, row.rows));

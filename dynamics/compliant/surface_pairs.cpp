@@ -28,9 +28,7 @@ class PairPlanner {
   }
 
  private:
-  [[nodiscard]] const MechanismBody& body(int i) const {
-    return scene_.mechanism.bodies[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const MechanismBody& body(int i) const { return scene_.mechanism.bodies[i]; }
   [[nodiscard]] const Solid& solid(int i) const { return *body(i).solid; }
   [[nodiscard]] const ShapeSpec& spec(const SimbodySurface& of) const {
     return solid(of.body).parts[of.part].spec;
@@ -96,9 +94,7 @@ class PairPlanner {
   /// Returns true if the first of two boxes becomes the half space: a fixed box, else the box with
   /// the larger facing side.
   [[nodiscard]] bool becomes_half_space(const SimbodySurface& a, const SimbodySurface& b) const {
-    const auto is_fixed = [&](const SimbodySurface& of) {
-      return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;
-    };
+    const auto is_fixed = [&](const SimbodySurface& of) { return model_.bodies[of.body].link < 0; };
     if (is_fixed(a) != is_fixed(b)) return is_fixed(a);
     const auto face_area = [&](const SimbodySurface& box, const SimbodySurface& other) {
       const int k = facing_axis(box, other);

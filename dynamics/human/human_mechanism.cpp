@@ -57,7 +57,7 @@ std::string link_name(const Subject& subject, const Skeleton& skeleton, int link
       found = &segment;
   }
   if (found != nullptr) return found->name;
-  return link < 0 ? subject.base : skeleton.hinge_names[static_cast<std::size_t>(link)];
+  return link < 0 ? subject.base : skeleton.hinge_names[link];
 }
 
 /// Returns the mechanism with a base before all links.

@@ -38,8 +38,7 @@ void gather(const VectorXd& from, const std::vector<int>& indices, VectorXd& out
 void scatter(const MatrixXd& added, const std::vector<int>& rows, const std::vector<int>& columns,
              MatrixXd& out) {
   for (Eigen::Index j = 0; j < added.cols(); ++j)
-    for (Eigen::Index i = 0; i < added.rows(); ++i)
-      out(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += added(i, j);
+    for (Eigen::Index i = 0; i < added.rows(); ++i) out(rows[i], columns[j]) += added(i, j);
 }
 
 std::vector<std::vector<int>> contracting_groups(
@@ -189,8 +188,7 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
     const double* next = sum;
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       for (std::size_t j = 0; j <= k; ++j, ++next) {
-        const int row = indices[static_cast<std::size_t>(coordinates[j])],
-                  column = indices[static_cast<std::size_t>(coordinates[k])];
+        const int row = indices[coordinates[j]], column = indices[coordinates[k]];
         out(row, column) += *next;
         if (j < k) out(column, row) += *next;
       }

@@ -39,11 +39,9 @@ struct BushingLaw {
   std::array<double, kBushingCoordinates> flexion_ratios{};  // d rest / d flexion, 0 for flexion
                                                              // itself [m/rad] or [1]
 
-  CapsuleLaw& law_for(BushingCoordinate coordinate) {
-    return laws[static_cast<std::size_t>(coordinate)];
-  }
+  CapsuleLaw& law_for(BushingCoordinate coordinate) { return laws[coordinate]; }
   [[nodiscard]] const CapsuleLaw& law_for(BushingCoordinate coordinate) const {
-    return laws[static_cast<std::size_t>(coordinate)];
+    return laws[coordinate];
   }
 };
 

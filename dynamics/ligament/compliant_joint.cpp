@@ -125,11 +125,10 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
     if (mechanism.joints[i].parent >= joint) mechanism.joints[i].parent += added;
   std::vector<MechanismBody> massless;
   for (int k = 0; k < added; ++k)
-    massless.push_back(
-        {mechanism.bodies[body].name + " on " + chain[static_cast<std::size_t>(k)].name,
-         {0, {0, 0, 0}, Eigen::Matrix3d::Zero()},
-         {},
-         {}});
+    massless.push_back({mechanism.bodies[body].name + " on " + chain[k].name,
+                        {0, {0, 0, 0}, Eigen::Matrix3d::Zero()},
+                        {},
+                        {}});
   mechanism.bodies.insert(mechanism.bodies.begin() + joint, massless.begin(), massless.end());
   // Replace the hinge by the chain.
   mechanism.joints[body] = chain.front();
@@ -151,8 +150,8 @@ CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
     const int coordinate = joint_.coordinate[i];
     require(coordinate < static_cast<int>(layout.coordinate_q.size()),
             "joint '{}': there is no coordinate {}", joint_.name, coordinate);
-    q_[i] = coordinate < 0 ? -1 : layout.coordinate_q[static_cast<std::size_t>(coordinate)];
-    v_[i] = coordinate < 0 ? -1 : layout.coordinate_v[static_cast<std::size_t>(coordinate)];
+    q_[i] = coordinate < 0 ? -1 : layout.coordinate_q[coordinate];
+    v_[i] = coordinate < 0 ? -1 : layout.coordinate_v[coordinate];
   }
 }
 
@@ -163,14 +162,14 @@ std::unique_ptr<ForceElement> CapsuleElement::clone() const {
 BushingVector CapsuleElement::coordinates(const ElementInput& at) const {
   BushingVector x = BushingVector::Zero();
   for (std::size_t i = 0; i < q_.size(); ++i)
-    if (q_[i] >= 0) x[static_cast<Eigen::Index>(i)] = at.q[q_[i]];
+    if (q_[i] >= 0) x[i] = at.q[q_[i]];
   return x;
 }
 
 BushingAction CapsuleElement::action(const ElementInput& at) const {
   BushingVector rate = BushingVector::Zero();
   for (std::size_t i = 0; i < v_.size(); ++i)
-    if (v_[i] >= 0) rate[static_cast<Eigen::Index>(i)] = at.v[v_[i]];
+    if (v_[i] >= 0) rate[i] = at.v[v_[i]];
   return bushing_action(joint_.law, coordinates(at), rate);
 }
 

@@ -119,8 +119,8 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
     joint.ratio = hinge.ratio;
     joint.offset = hinge.offset;
     // Copy limits and resistance to the hinge named as its coordinate.
-    if (joint.name == skeleton.coordinate_names[static_cast<std::size_t>(hinge.coordinate)]) {
-      const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
+    if (joint.name == skeleton.coordinate_names[hinge.coordinate]) {
+      const CoordinateLimits& limits = skeleton.limits[hinge.coordinate];
       joint.lower = limits.lower;
       joint.upper = limits.upper;
       joint.stiffness = limits.stiffness;

@@ -81,7 +81,7 @@ class SceneAssembler {
     if (!part.joint.parent.empty()) {
       carrier = at_line(spec_.path, part.joint.line,
                         [&] { return body_named(whole, part.joint.parent); });
-      X_CW = X_WB_[static_cast<std::size_t>(carrier)].inverse();
+      X_CW = X_WB_[carrier].inverse();
     }
     // Shift the coordinate indices of compliant joints by those of earlier parts.
     for (CompliantJoint joint : part.compliant) {

@@ -26,7 +26,7 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
   bool warned = false;
   // Evaluate the instants in order, because a net is warm-started from the one before.
   for (Eigen::Index i = 0; i < instants; ++i) {
-    const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];
+    const SceneSample& sample = run.samples[i];
     const ElementInput at{sample.t, sample.t, sample.q, sample.v, sample.z, motion, first_z};
     pull.accept_step(at);
     const PullState now = pull.state_at(at);

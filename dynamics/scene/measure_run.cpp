@@ -162,7 +162,7 @@ std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const Tre
     const int link = model.bodies[i].link;
     if (link < 0) continue;
     const Eigen::Vector3d centre = motion.pose(static_cast<int>(i)) * mechanism.bodies[i].mass.com;
-    out[i] = {motion.velocity(link, centre), motion.links()[static_cast<std::size_t>(link)].w};
+    out[i] = {motion.velocity(link, centre), motion.links()[link].w};
   }
   return out;
 }

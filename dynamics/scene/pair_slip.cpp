@@ -95,9 +95,7 @@ class ContactPath {
 
   /// Returns the relative angular speed of the bodies [rad/s].
   [[nodiscard]] double relative_spin(const SlipInstant& at) const {
-    return (at.velocity[static_cast<std::size_t>(contact_.a)].angular -
-            at.velocity[static_cast<std::size_t>(contact_.b)].angular)
-        .norm();
+    return (at.velocity[contact_.a].angular - at.velocity[contact_.b].angular).norm();
   }
 
   const ContactSample& contact_;

@@ -16,7 +16,7 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
                                                               : spec.translation_toe;
     out.law.law_for(kCoordinates[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
   }
-  out.law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = spec.twist_follows;
+  out.law.flexion_ratios[BushingCoordinate::kTwist] = spec.twist_follows;
   out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));
   return out;
 }
@@ -56,7 +56,7 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
   const auto frame_in = [&](const std::string& name) -> BodyFrame {
     if (name.empty()) return {-1, X_WA};
     const int body = body_named(mechanism, name);
-    return {body, X_WB[static_cast<std::size_t>(body)].inverse() * X_WA};
+    return {body, X_WB[body].inverse() * X_WA};
   };
   return std::make_shared<BushingElement>(spec.name, frame_in(spec.from), frame_in(spec.to), law);
 }
@@ -77,7 +77,7 @@ std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
       if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
       to.body = body_named(mechanism, ligament.to);
       const auto world_point = [&](const BodyPoint& end) -> Eigen::Vector3d {
-        return end.body < 0 ? end.p : X_WB[static_cast<std::size_t>(end.body)] * end.p;
+        return end.body < 0 ? end.p : X_WB[end.body] * end.p;
       };
       const double slack =
           ligament.slack_length.value_or((world_point(to) - world_point(from)).norm());

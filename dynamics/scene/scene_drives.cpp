@@ -45,7 +45,7 @@ void add_forces(const SceneSpec& spec, BuiltScene& built) {
     SceneForce out;
     out.body = at_line(spec.path, force.line,
                        [&] { return body_named(built.scene.mechanism, force.body); });
-    const MechanismBody& body = built.scene.mechanism.bodies[static_cast<std::size_t>(out.body)];
+    const MechanismBody& body = built.scene.mechanism.bodies[out.body];
     out.point = force.point.value_or(body.mass.com);
     out.force = force.force;
     out.moment = force.moment;
@@ -76,7 +76,7 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
                       fmt::format("'{}' {}, but the drive has units of what {}", drive.coordinate,
                                   turns ? "turns" : "slides", turns ? "slides" : "turns"));
     // Copy the drive; its largest effort is by default that of the motor.
-    const double known = mechanism.coordinates[static_cast<std::size_t>(out.coordinate)].max_effort;
+    const double known = mechanism.coordinates[out.coordinate].max_effort;
     out.bias = drive.effort;
     out.stiffness = drive.stiffness;
     out.damping = drive.damping;

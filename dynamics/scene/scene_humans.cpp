@@ -239,8 +239,7 @@ class HandPullBuilder {
     std::vector<std::vector<const HumanDigit*>> digit_groups;
     for (const std::vector<int>& members : contracting_groups(muscles, excited)) {
       digit_groups.emplace_back();
-      for (const int i : members)
-        digit_groups.back().push_back(&human_.hand.digits[static_cast<std::size_t>(i)]);
+      for (const int i : members) digit_groups.back().push_back(&human_.hand.digits[i]);
     }
     return digit_groups;
   }
@@ -298,14 +297,11 @@ bool has_drive(const SceneSpec& spec, const std::string& hand) {
 
 /// Returns the body with a surface that carries a body by a joint; -1: none.
 int carrier_of(const Mechanism& mechanism, int body) {
-  const auto joint_of = [&](int i) -> const MechanismJoint& {
-    return mechanism.joints[static_cast<std::size_t>(i)];
-  };
+  const auto joint_of = [&](int i) -> const MechanismJoint& { return mechanism.joints[i]; };
   // Skip welds up to the joint, then bodies without a surface.
   while (body >= 0 && joint_of(body).kind == JointKind::kWeld) body = joint_of(body).parent;
   int carrier = body >= 0 ? joint_of(body).parent : -1;
-  while (carrier >= 0 && !mechanism.bodies[static_cast<std::size_t>(carrier)].solid)
-    carrier = joint_of(carrier).parent;
+  while (carrier >= 0 && !mechanism.bodies[carrier].solid) carrier = joint_of(carrier).parent;
   return carrier;
 }
 
@@ -358,7 +354,7 @@ void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& bui
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
       if (built.owner[i] != human.name || !mechanism.bodies[i].solid) continue;
       const int carrier = carrier_of(mechanism, static_cast<int>(i));
-      if (carrier < 0 || built.owner[static_cast<std::size_t>(carrier)] != human.name) continue;
+      if (carrier < 0 || built.owner[carrier] != human.name) continue;
       // Exclude contacts with all earlier links on the same carrier.
       for (const auto& [other, link] : roots)
         if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));

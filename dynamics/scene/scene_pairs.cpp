@@ -78,8 +78,8 @@ std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene
 /// Returns the static friction of the materials of a pair.
 /// @throws DataError that names both bodies if it is not known
 double material_friction(const SceneSpec& spec, const MovingScene& scene, const Pair& pair) {
-  const MechanismBody& a = scene.mechanism.bodies[static_cast<std::size_t>(pair.first)];
-  const MechanismBody& b = scene.mechanism.bodies[static_cast<std::size_t>(pair.second)];
+  const MechanismBody& a = scene.mechanism.bodies[pair.first];
+  const MechanismBody& b = scene.mechanism.bodies[pair.second];
   try {
     return spec.materials.between(material_of(a), material_of(b)).static_coefficient;
   } catch (const InputError& error) {
@@ -146,9 +146,8 @@ void exclude_overlapping_links(const SceneSpec& spec, BuiltScene& built) {
   ContactStep step(scene);
   for (const Eigen::VectorXd& q : {scene.q, zero})
     for (const auto& [pair, depth] : penetration_depths(step, q)) {
-      const std::string& owner = built.owner[static_cast<std::size_t>(pair.first)];
-      if (owner == built.owner[static_cast<std::size_t>(pair.second)] && hands.count(owner) > 0)
-        inside.insert(pair);
+      const std::string& owner = built.owner[pair.first];
+      if (owner == built.owner[pair.second] && hands.count(owner) > 0) inside.insert(pair);
     }
   scene.apart.insert(scene.apart.end(), inside.begin(), inside.end());
 }
@@ -182,10 +181,10 @@ void set_pairs(const SceneSpec& spec, BuiltScene& built) {
   ContactStep step(built.scene);
   for (const auto& [pair, depth] : penetration_depths(step, built.scene.q))
     if (depth > kReportedOverlap)
-      built.warnings.push_back(fmt::format(
-          "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
-          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.first)].name,
-          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.second)].name, 1e3 * depth));
+      built.warnings.push_back(
+          fmt::format("'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
+                      built.scene.mechanism.bodies[pair.first].name,
+                      built.scene.mechanism.bodies[pair.second].name, 1e3 * depth));
 }
 
 }  // namespace thenar

@@ -88,15 +88,14 @@ std::vector<int> remove_unused_coordinates(Mechanism& part) {
           return is_scalar(joint.kind) && joint.coordinate == c;
         });
     if (!used) continue;
-    new_index[static_cast<std::size_t>(c)] = static_cast<int>(kept.size());
+    new_index[c] = static_cast<int>(kept.size());
     kept.push_back(c);
-    remaining.push_back(part.coordinates[static_cast<std::size_t>(c)]);
+    remaining.push_back(part.coordinates[c]);
   }
   part.coordinates = std::move(remaining);
   // Update the joints.
   for (MechanismJoint& joint : part.joints)
-    if (is_scalar(joint.kind))
-      joint.coordinate = new_index[static_cast<std::size_t>(joint.coordinate)];
+    if (is_scalar(joint.kind)) joint.coordinate = new_index[joint.coordinate];
   return kept;
 }
 
@@ -117,7 +116,7 @@ std::vector<double> robot_posture(const SceneHandSpec& hand, const RobotSpec& ro
   // Check the joint limits.
   for (const MechanismJoint& joint : part.joints) {
     if (!is_scalar(joint.kind)) continue;
-    const double value = joint_value(joint, u[static_cast<std::size_t>(joint.coordinate)]).value;
+    const double value = joint_value(joint, u[joint.coordinate]).value;
     require(value >= joint.lower - kLimitTolerance && value <= joint.upper + kLimitTolerance,
             "joint '{}' of hand '{}' begins at {:.4g}, beyond its limits {:.4g} to {:.4g} [rad], "
             "[m]",
@@ -244,8 +243,7 @@ class PartsBuilder {
     }
     // Keep the values of the remaining coordinates.
     std::vector<double> u;
-    for (const int c : remove_unused_coordinates(part.mechanism))
-      u.push_back(part.u[static_cast<std::size_t>(c)]);
+    for (const int c : remove_unused_coordinates(part.mechanism)) u.push_back(part.u[c]);
     part.u = std::move(u);
   }
 

@@ -44,7 +44,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   for (Eigen::Index k = 1; k < out.time.size(); ++k) {
     const double span = out.time[k] - out.time[k - 1];
     if (span > 0 && span < SceneOptions().shortest)
-      throw DataError(path, table.lines[static_cast<std::size_t>(k)],
+      throw DataError(path, table.lines[k],
                       fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
                                   SceneOptions().shortest, span));
   }
@@ -52,7 +52,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   for (Eigen::Index k = 0; k < out.target.size(); ++k)
     if (std::abs(out.target[k]) > largest_of(dimension))
       throw DataError(
-          path, table.lines[static_cast<std::size_t>(k)],
+          path, table.lines[k],
           fmt::format("wanted at most {}, got {}", with_si_unit(largest_of(dimension), dimension),
                       with_si_unit(out.target[k], dimension)));
   return out;

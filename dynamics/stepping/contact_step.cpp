@@ -404,8 +404,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
     p.rows.assemble(pressed, 0, p.motion.links(), p.free.mass);
     Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t k = 0; k < pressed.size(); ++k)
-      gaps[static_cast<Eigen::Index>(k)] =
-          std::clamp(-pressed[k].gap, -max_correction, max_correction);
+      gaps[k] = std::clamp(-pressed[k].gap, -max_correction, max_correction);
     // Solve for the least motion in the metric of M; contacts may be redundant.
     Eigen::VectorXd move =
         p.rows.J * p.rows.problem.W.completeOrthogonalDecomposition().solve(gaps);
