@@ -166,29 +166,25 @@ bool ContactNewton::solve_linear(double proximal) {
   factor.diagonal().array() += proximal;
   y.setZero();
   rest = rhs_.head(k);
+  // Adds solutions of the factored system, each for what is left of the right-hand side.
+  const auto refine = [&](const auto& solve_in_place) {
+    for (int round = 0; round <= refinements; ++round) {
+      solve_in_place();
+      y += rest;
+      if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
+    }
+    return y.allFinite();
+  };
 
   // Cholesky factorization without slip, as R is then symmetric positive semidefinite.
   if (slips_.empty()) {
     Eigen::LLT<Ref<MatrixXd>> llt(factor);
-    if (llt.info() == Eigen::Success) {
-      for (int round = 0; round <= refinements; ++round) {
-        llt.solveInPlace(rest);
-        y += rest;
-        if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
-      }
-      return y.allFinite();
-    }
+    if (llt.info() == Eigen::Success) return refine([&] { llt.solveInPlace(rest); });
     factor = R;
     factor.diagonal().array() += proximal;
   }
   // LU factorization with slip, or if Cholesky fails.
-  if (!lu_.factor(factor)) return false;
-  for (int round = 0; round <= refinements; ++round) {
-    lu_.solve(factor, rest);
-    y += rest;
-    if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
-  }
-  return y.allFinite();
+  return lu_.factor(factor) && refine([&] { lu_.solve(factor, rest); });
 }
 
 void ContactNewton::update_impulses(Ref<VectorXd> f) const {
