@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -63,9 +64,8 @@ void check_hinge(const Mechanism& mechanism, const MechanismJoint& hinge) {
   require(hinge.kind == JointKind::kHinge, "joint '{}' is a {}: only hinges give", hinge.name,
           name_in(kJointKindNames, hinge.kind));
   const auto shares = std::count_if(
-      mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& joint) {
-        return is_scalar(joint.kind) && joint.coordinate == hinge.coordinate;
-      });
+      mechanism.joints.begin(), mechanism.joints.end(),
+      [&](const MechanismJoint& joint) { return is_moved_by(joint, hinge.coordinate); });
   require(shares == 1, "joint '{}' shares its coordinate with others: it cannot give", hinge.name);
   require(hinge.ratio == 1 && hinge.offset == 0 && hinge.curve.empty(),
           "joint '{}' does not turn as its coordinate does (ratio {:g}, offset {:g} rad{}): it "
@@ -123,12 +123,9 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   const int added = static_cast<int>(chain.size()) - 1;
   for (std::size_t i = body + 1; i < mechanism.joints.size(); ++i)
     if (mechanism.joints[i].parent >= joint) mechanism.joints[i].parent += added;
-  std::vector<MechanismBody> massless;
+  std::vector<MechanismBody> massless(added);
   for (int k = 0; k < added; ++k)
-    massless.push_back({mechanism.bodies[body].name + " on " + chain[k].name,
-                        {0, {0, 0, 0}, Eigen::Matrix3d::Zero()},
-                        {},
-                        {}});
+    massless[k].name = mechanism.bodies[body].name + " on " + chain[k].name;
   mechanism.bodies.insert(mechanism.bodies.begin() + joint, massless.begin(), massless.end());
   // Replace the hinge by the chain.
   mechanism.joints[body] = chain.front();
@@ -137,9 +134,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
 }
 
 int joint_index(const Mechanism& mechanism, const std::string& name) {
-  std::vector<std::string> names;
-  for (const MechanismJoint& joint : mechanism.joints) names.push_back(joint.name);
-  return static_cast<int>(index_of_name(name, names, "joint"));
+  return static_cast<int>(index_of_name(name, names_of(mechanism.joints), "joint"));
 }
 
 CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
@@ -178,12 +173,11 @@ bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
   // Add force and slopes of the compliant coordinates.
   for (std::size_t i = 0; i < v_.size(); ++i) {
     if (v_[i] < 0) continue;
-    const auto row = static_cast<Eigen::Index>(i);
-    out.tau[v_[i]] += action.effort[row];
+    out.tau[v_[i]] += action.effort[i];
     for (std::size_t j = 0; j < v_.size(); ++j) {
       if (v_[j] < 0) continue;
-      out.stiffness(v_[i], v_[j]) += action.stiffness(row, static_cast<Eigen::Index>(j));
-      out.damping(v_[i], v_[j]) += action.damping(row, static_cast<Eigen::Index>(j));
+      out.stiffness(v_[i], v_[j]) += action.stiffness(i, j);
+      out.damping(v_[i], v_[j]) += action.damping(i, j);
     }
   }
   return std::abs(coordinates(at)[static_cast<int>(BushingCoordinate::kAbduction)]) < kMaxAbduction;

@@ -31,12 +31,11 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
     pull.accept_step(at);
     const PullState now = pull.state_at(at);
     for (std::size_t m = 0; m < pull.muscles().size(); ++m) {
-      const auto k = static_cast<Eigen::Index>(m);
       PullMeasure& muscle = out.muscles[first + m];
-      muscle.tension[i] = now.tension[k];
-      muscle.excitation[i] = now.excitation[k];
-      muscle.activation[i] = now.activation[k];
-      muscle.excursion[i] = now.excursion[k];
+      muscle.tension[i] = now.tension[m];
+      muscle.excitation[i] = now.excitation[m];
+      muscle.activation[i] = now.activation[m];
+      muscle.excursion[i] = now.excursion[m];
     }
     // Keep the first warning of the run.
     if (warned || now.warning.empty()) continue;

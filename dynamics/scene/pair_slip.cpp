@@ -20,8 +20,8 @@ Vector3d tangential(const Vector3d& v, const Vector3d& normal) {
 
 double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
   const auto velocity = [&](int body) -> Vector3d {
-    const auto i = static_cast<std::size_t>(body);
-    return at.velocity[i].linear + at.velocity[i].angular.cross(contact.point - at.centre[i]);
+    return at.velocity[body].linear +
+           at.velocity[body].angular.cross(contact.point - at.centre[body]);
   };
   return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
 }
@@ -69,8 +69,7 @@ class ContactPath {
  private:
   /// Returns the motion of a body between the instants, in the world.
   [[nodiscard]] Pose<double> moved(int body) const {
-    const auto i = static_cast<std::size_t>(body);
-    return to_.X_WB[i] * from_.X_WB[i].inverse();
+    return to_.X_WB[body] * from_.X_WB[body].inverse();
   }
 
   /// Returns the rotation of the contact normal relative to a body with this motion [rad].

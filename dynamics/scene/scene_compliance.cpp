@@ -66,11 +66,10 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
 std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
-  for (const SceneBushingSpec& bushing : spec.bushings) {
+  for (const SceneBushingSpec& bushing : spec.bushings)
     at_line(spec.path, bushing.line,
             [&] { out.push_back(bushing_element(bushing, mechanism, X_WB)); });
-  }
-  for (const SceneLigamentSpec& ligament : spec.ligaments) {
+  for (const SceneLigamentSpec& ligament : spec.ligaments)
     at_line(spec.path, ligament.line, [&] {
       // Points of both ends, and by default the initial distance as slack length.
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
@@ -85,7 +84,6 @@ std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
           ligament.name, from, to,
           LigamentLaw{slack, ligament.stiffness, ligament.toe_strain, ligament.damping}));
     });
-  }
   return out;
 }
 

@@ -64,16 +64,6 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
       pad.on));
 }
 
-/// Returns the first body, towards the world, that is not welded to its parent; -1: the world.
-int carrier_by_welds(const Mechanism& mechanism, int body) {
-  while (body >= 0) {
-    const MechanismJoint& joint = mechanism.joints[body];
-    if (joint.kind != JointKind::kWeld) return body;
-    body = joint.parent;
-  }
-  return body;
-}
-
 /// Adds the element of one pad on body a against body b.
 void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace& place, int a,
                  int b, BuiltScene& built) {

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_node.h"
 #include "dynamics/mechanism/build_mechanism.h"
@@ -68,12 +69,10 @@ double open_position(const RobotDof& dof) {
 /// Welds the joints of a coordinate at its value u [rad] or [m].
 void weld_coordinate(Mechanism& part, int coordinate, double u) {
   for (MechanismJoint& joint : part.joints) {
-    if (!is_scalar(joint.kind)) continue;
+    if (!is_moved_by(joint, coordinate)) continue;
     // Shift F by the joint's value at u, and weld it there.
-    if (joint.coordinate == coordinate) {
-      joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
-      joint.kind = JointKind::kWeld;
-    }
+    joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
+    joint.kind = JointKind::kWeld;
   }
 }
 
@@ -84,9 +83,7 @@ std::vector<int> remove_unused_coordinates(Mechanism& part) {
   std::vector<MechanismCoordinate> remaining;
   for (int c = 0; c < static_cast<int>(part.coordinates.size()); ++c) {
     const bool used =
-        std::any_of(part.joints.begin(), part.joints.end(), [&](const MechanismJoint& joint) {
-          return is_scalar(joint.kind) && joint.coordinate == c;
-        });
+        any_of(part.joints, [&](const MechanismJoint& joint) { return is_moved_by(joint, c); });
     if (!used) continue;
     new_index[c] = static_cast<int>(kept.size());
     kept.push_back(c);
@@ -103,14 +100,10 @@ std::vector<int> remove_unused_coordinates(Mechanism& part) {
 std::vector<double> robot_posture(const SceneHandSpec& hand, const RobotSpec& robot,
                                   const Mechanism& part) {
   // Open positions of the motors, replaced by the posture that the file states.
-  std::vector<std::string> names;
-  std::vector<double> u;
-  for (const MechanismCoordinate& coordinate : part.coordinates) {
-    names.push_back(coordinate.name);
-    u.push_back(0);
-    for (const RobotDof& dof : robot.dofs)
-      if (dof.name == coordinate.name) u.back() = open_position(dof);
-  }
+  const std::vector<std::string> names = names_of(part.coordinates);
+  std::vector<double> u(names.size(), 0);
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (const RobotDof* dof = find_named(robot.dofs, names[c])) u[c] = open_position(*dof);
   for (const auto& [name, value] : hand.placed.posture)
     u[index_of_name(name, names, "coordinate of hand '" + hand.placed.name + "'")] = value;
   // Check the joint limits.
@@ -218,8 +211,8 @@ class PartsBuilder {
   }
 
   [[nodiscard]] bool is_driven(const std::string& coordinate) const {
-    return std::any_of(spec_.drives.begin(), spec_.drives.end(),
-                       [&](const SceneDriveSpec& drive) { return drive.coordinate == coordinate; });
+    return any_of(spec_.drives,
+                  [&](const SceneDriveSpec& drive) { return drive.coordinate == coordinate; });
   }
 
   /// Welds motors that are not backdrivable and have no drive; warns of features left out.
@@ -242,9 +235,8 @@ class PartsBuilder {
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }
     // Keep the values of the remaining coordinates.
-    std::vector<double> u;
-    for (const int c : remove_unused_coordinates(part.mechanism)) u.push_back(part.u[c]);
-    part.u = std::move(u);
+    part.u =
+        transformed(remove_unused_coordinates(part.mechanism), [&](int c) { return part.u[c]; });
   }
 
   /// Makes joints of the part compliant as the file says. @return true if there are any
