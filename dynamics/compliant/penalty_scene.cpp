@@ -187,7 +187,7 @@ class PenaltyMotion : public CompliantMotion {
 
   /// Adds the effort of a joint limit or of dry friction. @return its energy [J]
   double add_joint_load(const ActiveContact& contact, const SceneState& state) {
-    const auto joint = static_cast<std::size_t>(contact.a);
+    const int joint = contact.a;
     const MechanismJoint& spec = step_.scene().mechanism.joints[joint];
     const ContactCompliance& c = options_.compliance;
     const int row = step_.model().layout.first_v[joint];

@@ -89,14 +89,6 @@ DigitPull::DigitPull(DigitPullModel model)
   }
 }
 
-std::unique_ptr<ForceElement> DigitPull::clone() const {
-  return std::make_unique<DigitPull>(*this);
-}
-
-const std::vector<std::string>& DigitPull::muscles() const { return model_->tendons->muscles(); }
-
-bool DigitPull::contracts(int muscle) const { return muscles_.contracts[muscle]; }
-
 std::vector<std::string> DigitPull::state_names() const {
   // Order of the states: all activations, all excursions, all fibres.
   std::vector<std::string> names;

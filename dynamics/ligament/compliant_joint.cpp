@@ -150,10 +150,6 @@ CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
   }
 }
 
-std::unique_ptr<ForceElement> CapsuleElement::clone() const {
-  return std::make_unique<CapsuleElement>(*this);
-}
-
 BushingVector CapsuleElement::coordinates(const ElementInput& at) const {
   BushingVector x = BushingVector::Zero();
   for (std::size_t i = 0; i < q_.size(); ++i)
@@ -182,7 +178,5 @@ bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
   }
   return std::abs(coordinates(at)[static_cast<int>(BushingCoordinate::kAbduction)]) < kMaxAbduction;
 }
-
-double CapsuleElement::energy(const ElementInput& at) { return action(at).energy; }
 
 }  // namespace thenar

@@ -227,7 +227,7 @@ Eigen::MatrixXd SimbodyMechanism::speed_map(const SimTK::State& state) const {
     const int row = parts_->body(i).getFirstUIndex(state);
     const MechanismJoint& joint = parts_->mechanism.joints[i];
     if (is_scalar(joint.kind)) {
-      const auto lead = static_cast<std::size_t>(leader(joint.coordinate));
+      const int lead = leader(joint.coordinate);
       const MechanismJoint& linear = parts_->mechanism.joints[lead];
       const double u = (parts_->body(lead).getOneQ(state, 0) - linear.offset) / linear.ratio;
       N(row, parts_->layout.first_v[i]) = joint_value(joint, u).slope;

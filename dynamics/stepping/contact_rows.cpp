@@ -74,7 +74,7 @@ void ContactRows::fill_jacobian(const ActiveContact& contact, ConstraintLaw law,
                                 const TreeMotion<double>& links) {
   if (contact.kind != RowKind::kContact) {
     // Joint limit or friction: d value / d coordinate of the joint.
-    const auto joint = static_cast<std::size_t>(contact.a);
+    const int joint = contact.a;
     const double sign = contact.kind == RowKind::kUpperLimit ? -1 : 1;
     const double slope = links.links()[model_.bodies[joint].link].slope;
     J(model_.layout.first_v[joint], at) = sign * slope;

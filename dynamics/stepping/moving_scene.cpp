@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -238,7 +239,7 @@ std::vector<double> switching_times(const MovingScene& scene) {
     if (drive.table) add_knots(*drive.table, drive.when, times);
   }
   for (const std::shared_ptr<const ForceElement>& element : scene.elements)
-    for (const double t : element->switching_times()) times.push_back(t);
+    append_all(times, element->switching_times());
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
