@@ -83,10 +83,7 @@ std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
   shape.kind = ShapeKind::kCapsule;
   // Turn z, the axis of a capsule, onto the segment, and centre the capsule on it.
   shape.size = {kBoneRadius, (b - a).norm(), 0};
-  const Eigen::Vector3d along = (b - a).normalized();
-  const Tangents across = tangents(along);
-  shape.X_BS.R << across.e1, across.e2, along;
-  shape.X_BS.p = (a + b) / 2;
+  shape.X_BS = frame_with_z((b - a).normalized(), (a + b) / 2);
   return std::make_shared<const TriangleMesh>(build_solid({shape}).visual);
 }
 

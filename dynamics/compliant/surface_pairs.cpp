@@ -1,5 +1,7 @@
 #include "dynamics/compliant/surface_pairs.h"
 
+#include <map>
+
 #include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/stepping/meeting_pairs.h"
@@ -50,26 +52,17 @@ class PairPlanner {
     const ShapeSpec& shape = spec(out);
     out.X_BS = shape.X_BS;
     out.size = shape.size;
-    switch (shape.kind) {
-      case ShapeKind::kSphere:
-        out.kind = SurfaceKind::kBall;
-        break;
-      case ShapeKind::kEllipsoid:
-        out.kind = SurfaceKind::kEllipsoid;
-        break;
-      case ShapeKind::kBox:
-        out.kind = SurfaceKind::kBrick;
-        out.size = 0.5 * shape.size;
-        break;
-      case ShapeKind::kMesh:
-        out.kind = SurfaceKind::kMesh;
-        break;
-      default:
-        throw InputError(
-            fmt::format("Simbody has no contacts of {}: wanted spheres, ellipsoids, "
-                        "boxes or meshes",
-                        description(out)));
-    }
+    static const std::map<ShapeKind, SurfaceKind> kinds{
+        {ShapeKind::kSphere, SurfaceKind::kBall},
+        {ShapeKind::kEllipsoid, SurfaceKind::kEllipsoid},
+        {ShapeKind::kBox, SurfaceKind::kBrick},
+        {ShapeKind::kMesh, SurfaceKind::kMesh}};
+    const auto found = kinds.find(shape.kind);
+    require(found != kinds.end(),
+            "Simbody has no contacts of {}: wanted spheres, ellipsoids, boxes or meshes",
+            description(out));
+    out.kind = found->second;
+    if (shape.kind == ShapeKind::kBox) out.size *= 0.5;
     return out;
   }
 

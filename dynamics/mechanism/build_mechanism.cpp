@@ -11,15 +11,6 @@
 namespace thenar {
 namespace {
 
-/// Returns a frame at a point with z along a direction.
-Pose<double> frame_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& point) {
-  const Tangents sides = tangents(direction);
-  Pose<double> frame;
-  frame.R << sides.e1, sides.e2, direction;
-  frame.p = point;
-  return frame;
-}
-
 /// Returns true if mass and inertia of a link are stated.
 bool is_known(const RobotLink& link) {
   return link.mass > 0 && (link.inertia.diagonal().array() > 0).all();
@@ -80,7 +71,7 @@ int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
 /// Converts a movable joint of a robot, without its coordinate.
 MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
   // Set frames F and M with z along the axis.
-  const Pose<double> axis = frame_along(joint.axis, Eigen::Vector3d::Zero());
+  const Pose<double> axis = frame_with_z(joint.axis, Eigen::Vector3d::Zero());
   MechanismJoint out{
       joint.name, joint.kind == RobotJointKind::kRevolute ? JointKind::kHinge : JointKind::kSlide,
       parent, joint.X_PJ * axis, joint.X_JC.inverse() * axis};
@@ -114,7 +105,7 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
     MechanismJoint joint;
     joint.name = skeleton.hinge_names[i];
     joint.parent = hinge.parent;
-    joint.X_PF = joint.X_BM = frame_along(hinge.direction, hinge.point);
+    joint.X_PF = joint.X_BM = frame_with_z(hinge.direction, hinge.point);
     joint.coordinate = hinge.coordinate;
     joint.ratio = hinge.ratio;
     joint.offset = hinge.offset;

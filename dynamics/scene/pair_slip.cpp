@@ -16,18 +16,6 @@ Vector3d tangential(const Vector3d& v, const Vector3d& normal) {
   return v - v.dot(normal) * normal;
 }
 
-}  // namespace
-
-double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
-  const auto velocity = [&](int body) -> Vector3d {
-    return at.velocity[body].linear +
-           at.velocity[body].angular.cross(contact.point - at.centre[body]);
-  };
-  return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
-}
-
-namespace {
-
 /// Path of one contact over both of its bodies between two instants.
 class ContactPath {
  public:
@@ -104,6 +92,14 @@ class ContactPath {
 };
 
 }  // namespace
+
+double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
+  const auto velocity = [&](int body) -> Vector3d {
+    return at.velocity[body].linear +
+           at.velocity[body].angular.cross(contact.point - at.centre[body]);
+  };
+  return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
+}
 
 std::map<std::pair<int, int>, double> slips_between(const SlipInstant& from,
                                                     const SlipInstant& to) {

@@ -49,10 +49,7 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
     law.laws[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
                    spec.stiffening, spec.damping[i]};
   // Express the frame in both bodies.
-  const Tangents sides = tangents(spec.axis);
-  Pose<double> X_WA;
-  X_WA.R << sides.e1, sides.e2, spec.axis;
-  X_WA.p = spec.point;
+  const Pose<double> X_WA = frame_with_z(spec.axis, spec.point);
   const auto frame_in = [&](const std::string& name) -> BodyFrame {
     if (name.empty()) return {-1, X_WA};
     const int body = body_named(mechanism, name);

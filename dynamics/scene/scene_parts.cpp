@@ -39,11 +39,8 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   }
   // Frame A of the joint, z along its axis; F is moved back by the initial value.
   Pose<double> A = X_WB;
-  if (spec.kind != JointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
-  if (is_scalar(joint.kind)) {
-    const Tangents sides = tangents(spec.axis);
-    A.R << sides.e1, sides.e2, spec.axis;
-  }
+  if (spec.kind == JointKind::kBall) A = {Eigen::Matrix3d::Identity(), spec.point};
+  if (is_scalar(joint.kind)) A = frame_with_z(spec.axis, spec.point);
   joint.X_PF = A * motion_along_z(joint.kind, -spec.start);
   joint.X_BM = X_WB.inverse() * A;
   if (!is_scalar(joint.kind)) return;

@@ -20,8 +20,7 @@ constexpr double kCorrectionRatio =
 void TouchingContacts::remember_lost(const std::vector<ActiveContact>& found) {
   lost_.clear();
   for (const ActiveContact& old : closed_)
-    if (old.mode != ContactMode::kOpen && find_contact(found, old) == found.end())
-      lost_.push_back(old);
+    if (old.mode != ContactMode::kOpen && find_contact(found, old) == nullptr) lost_.push_back(old);
 }
 
 /// Replaces the closed contacts by the found ones that are closed; persisting contacts keep their
@@ -36,8 +35,8 @@ bool TouchingContacts::retain_closed(std::vector<ActiveContact>& found) {
   // Copy modes and impulses of persisting contacts, for the warm start of the next solution.
   bool all_known = true;
   for (ActiveContact& contact : found) {
-    const auto old = find_contact(closed_, contact);
-    if (old == closed_.end()) {
+    const ActiveContact* const old = find_contact(closed_, contact);
+    if (old == nullptr) {
       all_known = false;
       continue;
     }
