@@ -1,6 +1,5 @@
 #include "live/live_fit.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.h"

@@ -1,6 +1,5 @@
 #include "live/scene_tendons.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.h"

@@ -39,9 +39,11 @@ struct BushingLaw {
   std::array<double, kBushingCoordinates> flexion_ratios{};  // d rest / d flexion, 0 for flexion
                                                              // itself [m/rad] or [1]
 
-  CapsuleLaw& law_for(BushingCoordinate coordinate) { return laws[coordinate]; }
+  CapsuleLaw& law_for(BushingCoordinate coordinate) {
+    return laws[static_cast<std::size_t>(coordinate)];
+  }
   [[nodiscard]] const CapsuleLaw& law_for(BushingCoordinate coordinate) const {
-    return laws[coordinate];
+    return laws[static_cast<std::size_t>(coordinate)];
   }
 };
 

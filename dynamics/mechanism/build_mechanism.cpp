@@ -1,6 +1,5 @@
 #include "dynamics/mechanism/build_mechanism.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 

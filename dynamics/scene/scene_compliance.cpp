@@ -16,7 +16,7 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
                                                               : spec.translation_toe;
     out.law.law_for(kCoordinates[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
   }
-  out.law.flexion_ratios[BushingCoordinate::kTwist] = spec.twist_follows;
+  out.law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = spec.twist_follows;
   out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));
   return out;
 }

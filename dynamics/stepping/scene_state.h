@@ -2,9 +2,9 @@
 
 /// State of a moving scene: positions, velocities, element states and active contacts.
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
