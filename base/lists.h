@@ -60,6 +60,12 @@ template <typename List, typename Make>
   return made;
 }
 
+/// Returns the members `name` of all entries, in the order of the list.
+template <typename List>
+[[nodiscard]] std::vector<std::string> names_of(const List& list) {
+  return transformed(list, [](const auto& each) { return each.name; });
+}
+
 /// Returns the keys of a map, in its order.
 template <typename Map>
 [[nodiscard]] std::vector<typename Map::key_type> map_keys(const Map& map) {

@@ -83,4 +83,15 @@ struct Tangents {
           {b, sign + d.y() * d.y() * a, -d.y()}};
 }
 
+/// Returns a frame at a point whose axes are the tangents of a unit direction and, as z, the
+/// direction itself.
+[[nodiscard]] inline Pose<double> frame_with_z(const Eigen::Vector3d& direction,
+                                               const Eigen::Vector3d& point) {
+  const Tangents sides = tangents(direction);
+  Pose<double> frame;
+  frame.R << sides.e1, sides.e2, direction;
+  frame.p = point;
+  return frame;
+}
+
 }  // namespace thenar

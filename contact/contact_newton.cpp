@@ -137,14 +137,14 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
   auto column = column_.head(contacts.rows());
   for (Index j = 0; j < k; ++j) {
     // Velocities of all rows by a unit of unknown j.
-    const Unknown& unknown = unknowns_[static_cast<std::size_t>(j)];
+    const Unknown& unknown = unknowns_[j];
     column = unknown.impulse(0) * A.col(unknown.start);
     for (int r = 1; r < unknown.rows; ++r)
       if (unknown.impulse(r) != 0) column += unknown.impulse(r) * A.col(unknown.start + r);
 
     // Column j of the system, by the equations of all unknowns.
     for (Index i = 0; i < k; ++i) {
-      const Unknown& row = unknowns_[static_cast<std::size_t>(i)];
+      const Unknown& row = unknowns_[i];
       R_(i, j) = row.rows == 1
                      ? column(row.start)
                      : row.velocity.head(row.rows).dot(column.segment(row.start, row.rows));
@@ -166,29 +166,25 @@ bool ContactNewton::solve_linear(double proximal) {
   factor.diagonal().array() += proximal;
   y.setZero();
   rest = rhs_.head(k);
+  // Adds solutions of the factored system, each for what is left of the right-hand side.
+  const auto refine = [&](const auto& solve_in_place) {
+    for (int round = 0; round <= refinements; ++round) {
+      solve_in_place();
+      y += rest;
+      if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
+    }
+    return y.allFinite();
+  };
 
   // Cholesky factorization without slip, as R is then symmetric positive semidefinite.
   if (slips_.empty()) {
     Eigen::LLT<Ref<MatrixXd>> llt(factor);
-    if (llt.info() == Eigen::Success) {
-      for (int round = 0; round <= refinements; ++round) {
-        llt.solveInPlace(rest);
-        y += rest;
-        if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
-      }
-      return y.allFinite();
-    }
+    if (llt.info() == Eigen::Success) return refine([&] { llt.solveInPlace(rest); });
     factor = R;
     factor.diagonal().array() += proximal;
   }
   // LU factorization with slip, or if Cholesky fails.
-  if (!lu_.factor(factor)) return false;
-  for (int round = 0; round <= refinements; ++round) {
-    lu_.solve(factor, rest);
-    y += rest;
-    if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
-  }
-  return y.allFinite();
+  return lu_.factor(factor) && refine([&] { lu_.solve(factor, rest); });
 }
 
 void ContactNewton::update_impulses(Ref<VectorXd> f) const {

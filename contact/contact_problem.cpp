@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "contact/friction_cone.h"
 
 namespace thenar {
@@ -18,7 +17,8 @@ constexpr double kSymmetryError = 1e-9;
 // Smallest mean diagonal of a mobile block, over the largest diagonal entry of W [1]
 constexpr double kMinDiagonalRatio = 1e-16;
 
-void check_block(const ContactBlock& block) {
+/// Checks the numbers of a block. @return the block
+ContactBlock checked(const ContactBlock& block) {
   require(block.law != ConstraintLaw::kBox || block.lower <= block.upper,
           "bounds of a box must be in order, got {} to {}", block.lower, block.upper);
   require(block.law != ConstraintLaw::kBox || (block.lower < kInfinity && block.upper > -kInfinity),
@@ -27,6 +27,7 @@ void check_block(const ContactBlock& block) {
           block.friction);
   require(block.torsion_radius >= 0 && block.torsion_radius < kInfinity,
           "a torsion radius must be >= 0, got {} m", block.torsion_radius);
+  return block;
 }
 
 /// Adds the row of an interval to the residual.
@@ -101,19 +102,13 @@ bool ContactResidual::is_within(double tolerance) const {
 ContactBlock bilateral_block() { return {ConstraintLaw::kBilateral}; }
 ContactBlock unilateral_block() { return {ConstraintLaw::kUnilateral}; }
 ContactBlock box_block(double lower, double upper) {
-  const ContactBlock out{ConstraintLaw::kBox, lower, upper};
-  check_block(out);
-  return out;
+  return checked({ConstraintLaw::kBox, lower, upper});
 }
 ContactBlock coulomb_block(double friction) {
-  const ContactBlock out{ConstraintLaw::kCoulomb, 0, 0, friction};
-  check_block(out);
-  return out;
+  return checked({ConstraintLaw::kCoulomb, 0, 0, friction});
 }
 ContactBlock soft_finger_block(double friction, double torsion_radius) {
-  const ContactBlock out{ConstraintLaw::kSoftFinger, 0, 0, friction, torsion_radius};
-  check_block(out);
-  return out;
+  return checked({ConstraintLaw::kSoftFinger, 0, 0, friction, torsion_radius});
 }
 
 int rows_of(ConstraintLaw law) {
@@ -124,10 +119,7 @@ int rows_of(ConstraintLaw law) {
 void check_contact_problem(const ContactProblem& problem) {
   Index rows = 0;
   // Check the blocks, and the sum of their rows against W and b.
-  for (const ContactBlock& block : problem.blocks) {
-    check_block(block);
-    rows += rows_of(block.law);
-  }
+  for (const ContactBlock& block : problem.blocks) rows += rows_of(checked(block).law);
   require(problem.b.size() == rows, "blocks have {} rows, b has {}", rows, problem.b.size());
   require(problem.W.rows() == rows && problem.W.cols() == rows,
           "blocks have {} rows, W is {} by {}", rows, problem.W.rows(), problem.W.cols());

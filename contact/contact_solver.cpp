@@ -56,275 +56,259 @@ struct ContactSolver::Workspace {
   auto f() { return f_storage.head(contacts.rows()); }
   auto u() { return u_storage.head(contacts.rows()); }
 
-  void assign(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
-  bool record_residual();
-  void set_impulses(const Ref<const VectorXd>& impulses);
-  bool run_newton(Damped damped);
-  bool run_sweeps(int sweeps);
-  bool run_sweeps_and_newton();
-  bool run_pivots();
-  bool run_interior();
-  bool run_restarts();
-  bool run_automatic();
-  void run_pyramid(const ContactProblem& problem);
-  bool run();
-  void polish();
   [[nodiscard]] bool polishes() const { return options.method != ContactMethod::kGaussSeidel; }
-  bool accept_warm_start(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
-  void set_solution(const ContactProblem& problem);
-};
 
-void ContactSolver::Workspace::assign(const ContactProblem& problem,
-                                      const Ref<const VectorXd>& warm_start) {
-  // Scale the problem, and grow the vectors if needed.
-  contacts.assign(problem);
-  newton.assign(contacts);
-  sweeper_ready = false;
-  const Index n = contacts.rows();
-  if (n > f_storage.size())
-    for (VectorXd* v : {&f_storage, &u_storage, &best_f_storage, &interior_f_storage}) v->resize(n);
-  // Reset counters and goal; the rest of the tolerance is for rounding when scaling back.
-  solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
-  solution.pyramid_residual = 0;
-  solution.method = options.method;
-  goal = kGoalRatio * options.tolerance;
-  best = kInfinity;
-  // Ignore a warm start if the scale is 0: then f = 0 is the solution, and any rounding of a warm
-  // start would have an infinite residual.
-  is_warm = warm_start.size() > 0 && contacts.scale() > 0;
-  f().setZero();
-  if (is_warm) f() = warm_start.cwiseQuotient(contacts.s());
-  set_impulses(f());
-}
-
-/// Computes the residual of f, and stores f if it is the best so far. @return true at the goal
-bool ContactSolver::Workspace::record_residual() {
-  residual = contacts.residual(f(), u());
-  if (residual < best) {
-    best = residual;
-    best_f_storage.head(contacts.rows()) = f();
-  }
-  // Within the goal, or within the rounding error.
-  return residual <= goal ||
-         (residual < kRoundingLevel && residual <= kGoalRatio * contacts.rounding(f()));
-}
-
-/// Sets f and u.
-void ContactSolver::Workspace::set_impulses(const Ref<const VectorXd>& impulses) {
-  f() = impulses;
-  u().noalias() = contacts.A() * f();
-  u() += contacts.b();
-}
-
-/// Takes Newton steps until they make no progress.
-bool ContactSolver::Workspace::run_newton(Damped damped) {
-  double min_residual = kInfinity, damping = 0;
-  residual = contacts.residual(f(), u());
-  for (int idle = 0; idle < kMaxIdleSteps && solution.newton_steps < options.max_newton_steps;) {
-    ++solution.newton_steps;
-    end_if_stopped();
-    // The proximal term decreases with the residual, so that convergence stays quadratic.
-    const double before = residual;
-    if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
-    if (record_residual()) {
-      solution.method = ContactMethod::kNewton;
-      return true;
-    }
-    // Halve the damping after a step that halves the residual, double it after any other.
-    if (damped == Damped::kYes)
-      damping =
-          residual < before / 2 ? damping / 2 : std::clamp(2 * damping, kMinDamping, kMaxDamping);
-    // Count the steps without progress.
-    idle = residual < kProgressRatio * min_residual ? 0 : idle + 1;
-    min_residual = std::min(min_residual, residual);
-  }
-  return false;
-}
-
-/// Takes Gauss-Seidel sweeps.
-bool ContactSolver::Workspace::run_sweeps(int sweeps) {
-  // Prepare the local problems of the blocks, once for each problem.
-  if (!sweeper_ready) sweeper.assign(contacts);
-  sweeper_ready = true;
-  // Compute u and the residual only after each group of sweeps.
-  sweeps = std::min(sweeps, options.max_sweeps - solution.sweeps);
-  for (int done = 0; done < sweeps; done += kSweepsPerCheck) {
-    const int count = std::min(kSweepsPerCheck, sweeps - done);
-    sweeper.sweep(contacts, count, f());
-    solution.sweeps += count;
-    set_impulses(f());
-    if (record_residual()) {
-      solution.method = ContactMethod::kGaussSeidel;
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Alternates sweeps from the best f and Newton steps.
-bool ContactSolver::Workspace::run_sweeps_and_newton() {
-  for (int k = 0; k < kMaxRounds; ++k) {
-    f() = best_f_storage.head(contacts.rows());
-    if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
-  }
-  return false;
-}
-
-/// Takes Newton steps from the best f, whose loaded contacts are chosen by pivoting.
-bool ContactSolver::Workspace::run_pivots() {
-  f() = best_f_storage.head(contacts.rows());
-  set_impulses(f());
-  for (int k = 0; k < kMaxPivotSteps; ++k) {
-    const double before = residual;
-    if (!internal::take_pivoting_step(contacts, f(), u(), solution.pivots)) return false;
-    set_impulses(f());
-    if (record_residual()) {
-      solution.method = ContactMethod::kNewton;
-      return true;
-    }
-    // Stop when the residual no longer decreases.
-    if (k > 2 && residual > kProgressRatio * before) break;
-  }
-  return false;
-}
-
-/// Runs interior points with |ut| as an unknown, then as a fixed point. Each run is followed by
-/// Newton steps, as interior points identify the state of every contact (open, stick, slip).
-bool ContactSolver::Workspace::run_interior() {
-  using Coupling = internal::InteriorContact::Coupling;
-  auto interior_f = interior_f_storage.head(contacts.rows());
-  interior_f.setZero();
-  // The first run has |ut| as an unknown; the others freeze it at the impulses of the run before.
-  for (int k = 0; k <= kMaxFrozenRuns; ++k) {
-    const int max_steps =
-        std::min(kStepsPerInteriorRun, options.max_interior_steps - solution.interior_steps);
-    if (max_steps <= 0) return false;
-    solution.interior_steps += interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull,
-                                            max_steps, kInteriorGoalRatio * goal, interior_f);
-    // Refine the result by Newton steps.
-    set_impulses(interior_f);
-    if (record_residual() || run_newton(Damped::kYes)) {
-      solution.method = ContactMethod::kInteriorPoint;
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Restarts sweeps and Newton from random normal impulses: the iterations may converge to a point
-/// that is not a solution, as there is no merit function with minima at solutions alone.
-bool ContactSolver::Workspace::run_restarts() {
-  for (int start = 0; start < kMaxRestarts; ++start) {
-    // Random normal impulses up to twice the scale, without friction.
-    RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
-    for (const internal::ScaledBlock& block : contacts.blocks()) {
-      f().segment(block.start, block.rows).setZero();
-      f()(block.start) = 2 * contacts.scale() * random.uniform();
-      if (!block.is_cone())
-        f()(block.start) = std::clamp(f()(block.start), block.lower, block.upper);
-    }
-    // Few sweeps and undamped Newton steps, then more sweeps and damped steps.
-    if (run_sweeps(kFirstSweeps) || run_newton(Damped::kNo)) return true;
-    if (run_sweeps(2 * kFirstSweeps) || run_newton(Damped::kYes)) return true;
-  }
-  return false;
-}
-
-/// Runs the methods of kAutomatic in order of their cost.
-bool ContactSolver::Workspace::run_automatic() {
-  // Start from the warm start: Newton, then sweeps with Newton, then pivoting.
-  if (run_newton(Damped::kYes) || run_sweeps_and_newton() || run_pivots()) return true;
-  // Start from zero, in case the warm start was misleading.
-  if (is_warm) {
+  void assign(const ContactProblem& problem, const Ref<const VectorXd>& warm_start) {
+    // Scale the problem, and grow the vectors if needed.
+    contacts.assign(problem);
+    newton.assign(contacts);
+    sweeper_ready = false;
+    const Index n = contacts.rows();
+    if (n > f_storage.size())
+      for (VectorXd* v : {&f_storage, &u_storage, &best_f_storage, &interior_f_storage})
+        v->resize(n);
+    // Reset counters and goal; the rest of the tolerance is for rounding when scaling back.
+    solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
+    solution.pyramid_residual = 0;
+    solution.method = options.method;
+    goal = kGoalRatio * options.tolerance;
+    best = kInfinity;
+    // Ignore a warm start if the scale is 0: then f = 0 is the solution, and any rounding of a warm
+    // start would have an infinite residual.
+    is_warm = warm_start.size() > 0 && contacts.scale() > 0;
     f().setZero();
+    if (is_warm) f() = warm_start.cwiseQuotient(contacts.s());
     set_impulses(f());
-    if (record_residual() || run_newton(Damped::kYes)) return true;
   }
-  // Slower methods that need no warm start.
-  if (run_interior() || run_restarts()) return true;
-  // Last resort: sweeps from the best f up to max_sweeps.
-  f() = best_f_storage.head(contacts.rows());
-  for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
-    if (run_sweeps(sweeps)) return true;
-  return false;
-}
 
-bool ContactSolver::Workspace::run() {
-  switch (options.method) {
-    case ContactMethod::kNewton:
-      return run_newton(Damped::kYes);
-    case ContactMethod::kGaussSeidel:
-      return run_sweeps(options.max_sweeps);
-    case ContactMethod::kInteriorPoint:
-      return run_interior();
-    default:
-      return run_automatic();
+  /// Computes the residual of f, and stores f if it is the best so far. @return true at the goal
+  bool record_residual() {
+    residual = contacts.residual(f(), u());
+    if (residual < best) {
+      best = residual;
+      best_f_storage.head(contacts.rows()) = f();
+    }
+    // Within the goal, or within the rounding error.
+    return residual <= goal ||
+           (residual < kRoundingLevel && residual <= kGoalRatio * contacts.rounding(f()));
   }
-}
 
-/// Improves a solution towards rounding by Newton steps that at least halve the residual, because
-/// its errors would accumulate over time steps.
-void ContactSolver::Workspace::polish() {
-  for (int k = 0; k < kMaxPolishSteps && best > kPolishGoal; ++k) {
-    // Undamped step from the best f.
+  /// Sets f and u.
+  void set_impulses(const Ref<const VectorXd>& impulses) {
+    f() = impulses;
+    u().noalias() = contacts.A() * f();
+    u() += contacts.b();
+  }
+
+  /// Takes Newton steps until they make no progress.
+  bool run_newton(Damped damped) {
+    double min_residual = kInfinity, damping = 0;
+    residual = contacts.residual(f(), u());
+    for (int idle = 0; idle < kMaxIdleSteps && solution.newton_steps < options.max_newton_steps;) {
+      ++solution.newton_steps;
+      end_if_stopped();
+      // The proximal term decreases with the residual, so that convergence stays quadratic.
+      const double before = residual;
+      if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
+      if (record_residual()) {
+        solution.method = ContactMethod::kNewton;
+        return true;
+      }
+      // Halve the damping after a step that halves the residual, double it after any other.
+      if (damped == Damped::kYes)
+        damping =
+            residual < before / 2 ? damping / 2 : std::clamp(2 * damping, kMinDamping, kMaxDamping);
+      // Count the steps without progress.
+      idle = residual < kProgressRatio * min_residual ? 0 : idle + 1;
+      min_residual = std::min(min_residual, residual);
+    }
+    return false;
+  }
+
+  /// Takes Gauss-Seidel sweeps.
+  bool run_sweeps(int sweeps) {
+    // Prepare the local problems of the blocks, once for each problem.
+    if (!sweeper_ready) sweeper.assign(contacts);
+    sweeper_ready = true;
+    // Compute u and the residual only after each group of sweeps.
+    sweeps = std::min(sweeps, options.max_sweeps - solution.sweeps);
+    for (int done = 0; done < sweeps; done += kSweepsPerCheck) {
+      const int count = std::min(kSweepsPerCheck, sweeps - done);
+      sweeper.sweep(contacts, count, f());
+      solution.sweeps += count;
+      set_impulses(f());
+      if (record_residual()) {
+        solution.method = ContactMethod::kGaussSeidel;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Alternates sweeps from the best f and Newton steps.
+  bool run_sweeps_and_newton() {
+    for (int k = 0; k < kMaxRounds; ++k) {
+      f() = best_f_storage.head(contacts.rows());
+      if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
+    }
+    return false;
+  }
+
+  /// Takes Newton steps from the best f, whose loaded contacts are chosen by pivoting.
+  bool run_pivots() {
+    f() = best_f_storage.head(contacts.rows());
+    set_impulses(f());
+    for (int k = 0; k < kMaxPivotSteps; ++k) {
+      const double before = residual;
+      if (!internal::take_pivoting_step(contacts, f(), u(), solution.pivots)) return false;
+      set_impulses(f());
+      if (record_residual()) {
+        solution.method = ContactMethod::kNewton;
+        return true;
+      }
+      // Stop when the residual no longer decreases.
+      if (k > 2 && residual > kProgressRatio * before) break;
+    }
+    return false;
+  }
+
+  /// Runs interior points with |ut| as an unknown, then as a fixed point. Each run is followed by
+  /// Newton steps, as interior points identify the state of every contact (open, stick, slip).
+  bool run_interior() {
+    using Coupling = internal::InteriorContact::Coupling;
+    auto interior_f = interior_f_storage.head(contacts.rows());
+    interior_f.setZero();
+    // The first run has |ut| as an unknown; the others freeze it at the impulses of the run before.
+    for (int k = 0; k <= kMaxFrozenRuns; ++k) {
+      const int max_steps =
+          std::min(kStepsPerInteriorRun, options.max_interior_steps - solution.interior_steps);
+      if (max_steps <= 0) return false;
+      solution.interior_steps += interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull,
+                                              max_steps, kInteriorGoalRatio * goal, interior_f);
+      // Refine the result by Newton steps.
+      set_impulses(interior_f);
+      if (record_residual() || run_newton(Damped::kYes)) {
+        solution.method = ContactMethod::kInteriorPoint;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Restarts sweeps and Newton from random normal impulses: the iterations may converge to a point
+  /// that is not a solution, as there is no merit function with minima at solutions alone.
+  bool run_restarts() {
+    for (int start = 0; start < kMaxRestarts; ++start) {
+      // Random normal impulses up to twice the scale, without friction.
+      RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
+      for (const internal::ScaledBlock& block : contacts.blocks()) {
+        f().segment(block.start, block.rows).setZero();
+        f()(block.start) = 2 * contacts.scale() * random.uniform();
+        if (!block.is_cone())
+          f()(block.start) = std::clamp(f()(block.start), block.lower, block.upper);
+      }
+      // Few sweeps and undamped Newton steps, then more sweeps and damped steps.
+      if (run_sweeps(kFirstSweeps) || run_newton(Damped::kNo)) return true;
+      if (run_sweeps(2 * kFirstSweeps) || run_newton(Damped::kYes)) return true;
+    }
+    return false;
+  }
+
+  /// Runs the methods of kAutomatic in order of their cost.
+  bool run_automatic() {
+    // Start from the warm start: Newton, then sweeps with Newton, then pivoting.
+    if (run_newton(Damped::kYes) || run_sweeps_and_newton() || run_pivots()) return true;
+    // Start from zero, in case the warm start was misleading.
+    if (is_warm) {
+      f().setZero();
+      set_impulses(f());
+      if (record_residual() || run_newton(Damped::kYes)) return true;
+    }
+    // Slower methods that need no warm start.
+    if (run_interior() || run_restarts()) return true;
+    // Last resort: sweeps from the best f up to max_sweeps.
+    f() = best_f_storage.head(contacts.rows());
+    for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
+      if (run_sweeps(sweeps)) return true;
+    return false;
+  }
+
+  bool run() {
+    switch (options.method) {
+      case ContactMethod::kNewton:
+        return run_newton(Damped::kYes);
+      case ContactMethod::kGaussSeidel:
+        return run_sweeps(options.max_sweeps);
+      case ContactMethod::kInteriorPoint:
+        return run_interior();
+      default:
+        return run_automatic();
+    }
+  }
+
+  /// Improves a solution towards rounding by Newton steps that at least halve the residual, because
+  /// its errors would accumulate over time steps.
+  void polish() {
+    for (int k = 0; k < kMaxPolishSteps && best > kPolishGoal; ++k) {
+      // Undamped step from the best f.
+      const double before = best;
+      set_impulses(best_f_storage.head(contacts.rows()));
+      ++solution.newton_steps;
+      if (!newton.step(contacts, 0, f(), u())) return;
+      (void)record_residual();
+      if (best > before / 2) return;
+    }
+  }
+
+  /// Solves the problem with friction pyramids, and stores the solution.
+  void run_pyramid(const ContactProblem& problem) {
+    // Solve the complementarity problem of the pyramids by Lemke's algorithm.
+    const internal::PyramidProblem pyramids =
+        internal::friction_pyramids(contacts, options.pyramid_edges);
+    ComplementarityOptions pivoting;
+    pivoting.tolerance = options.tolerance;
+    const ComplementaritySolution found = solve_complementarity(pyramids.lcp, pivoting);
+    solution.pivots = found.pivots;
+    // Store impulses with residuals on the exact cones, but the status of the pyramids.
+    best_f_storage.head(contacts.rows()) =
+        pyramids.origin + pyramids.generators * found.z.head(pyramids.generators.cols());
+    set_solution(problem);
+    solution.status = found.status;
+    solution.pyramid_residual = found.residual;
+  }
+
+  /// Returns true if the warm start is a solution. It is then returned unchanged, unless polishing
+  /// at least halves its residual.
+  bool accept_warm_start(const ContactProblem& problem, const Ref<const VectorXd>& warm_start) {
+    // Residual of the unscaled warm start, as scaling there and back would change its bits.
+    solution.f = warm_start;
+    solution.u = problem.b;
+    solution.u.noalias() += problem.W * warm_start;
+    solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
+    if (!solution.residual.is_within(options.tolerance)) return false;
+    solution.status = Status::kSolved;
+    // Polish the scaled copy, and use it only if its residual is less than half.
     const double before = best;
-    set_impulses(best_f_storage.head(contacts.rows()));
-    ++solution.newton_steps;
-    if (!newton.step(contacts, 0, f(), u())) return;
-    (void)record_residual();
-    if (best > before / 2) return;
+    if (polishes()) polish();
+    if (best < before / 2) set_solution(problem);
+    return true;
   }
-}
 
-/// Solves the problem with friction pyramids, and stores the solution.
-void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
-  // Solve the complementarity problem of the pyramids by Lemke's algorithm.
-  const internal::PyramidProblem pyramids =
-      internal::friction_pyramids(contacts, options.pyramid_edges);
-  ComplementarityOptions pivoting;
-  pivoting.tolerance = options.tolerance;
-  const ComplementaritySolution found = solve_complementarity(pyramids.lcp, pivoting);
-  solution.pivots = found.pivots;
-  // Store impulses with residuals on the exact cones, but the status of the pyramids.
-  best_f_storage.head(contacts.rows()) =
-      pyramids.origin + pyramids.generators * found.z.head(pyramids.generators.cols());
-  set_solution(problem);
-  solution.status = found.status;
-  solution.pyramid_residual = found.residual;
-}
-
-/// Returns true if the warm start is a solution. It is then returned unchanged, unless polishing
-/// at least halves its residual.
-bool ContactSolver::Workspace::accept_warm_start(const ContactProblem& problem,
-                                                 const Ref<const VectorXd>& warm_start) {
-  // Residual of the unscaled warm start, as scaling there and back would change its bits.
-  solution.f = warm_start;
-  solution.u = problem.b;
-  solution.u.noalias() += problem.W * warm_start;
-  solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
-  if (!solution.residual.is_within(options.tolerance)) return false;
-  solution.status = Status::kSolved;
-  // Polish the scaled copy, and use it only if its residual is less than half.
-  const double before = best;
-  if (polishes()) polish();
-  if (best < before / 2) set_solution(problem);
-  return true;
-}
-
-/// Stores the best f in the units of the problem, with residuals and status.
-void ContactSolver::Workspace::set_solution(const ContactProblem& problem) {
-  solution.f = best_f_storage.head(contacts.rows()).cwiseProduct(contacts.s());
-  solution.u = problem.b;
-  solution.u.noalias() += problem.W * solution.f;
-  solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
-  // Status by the residual; a failure is kLimit if a counter has reached its limit.
-  const bool is_at_limit = solution.newton_steps >= options.max_newton_steps ||
-                           solution.sweeps >= options.max_sweeps ||
-                           solution.interior_steps >= options.max_interior_steps;
-  solution.status = solution.residual.is_within(options.tolerance) ? Status::kSolved
-                    : is_at_limit                                  ? Status::kLimit
-                                                                   : Status::kStalled;
-}
+  /// Stores the best f in the units of the problem, with residuals and status.
+  void set_solution(const ContactProblem& problem) {
+    solution.f = best_f_storage.head(contacts.rows()).cwiseProduct(contacts.s());
+    solution.u = problem.b;
+    solution.u.noalias() += problem.W * solution.f;
+    solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
+    // Status by the residual; a failure is kLimit if a counter has reached its limit.
+    const bool is_at_limit = solution.newton_steps >= options.max_newton_steps ||
+                             solution.sweeps >= options.max_sweeps ||
+                             solution.interior_steps >= options.max_interior_steps;
+    solution.status = solution.residual.is_within(options.tolerance) ? Status::kSolved
+                      : is_at_limit                                  ? Status::kLimit
+                                                                     : Status::kStalled;
+  }
+};
 
 ContactSolver::ContactSolver() : work_(std::make_unique<Workspace>()) {}
 ContactSolver::~ContactSolver() = default;

@@ -29,8 +29,7 @@ MatrixXd edge_directions(int tangents, int edges) {
                        std::cos(latitude) * std::sin(k * angle_step), std::sin(latitude));
   }
   MatrixXd directions(tangents, static_cast<Index>(out.size()));
-  for (Index k = 0; k < directions.cols(); ++k)
-    directions.col(k) = out[static_cast<std::size_t>(k)].head(tangents);
+  for (Index k = 0; k < directions.cols(); ++k) directions.col(k) = out[k].head(tangents);
   return directions;
 }
 
@@ -59,7 +58,7 @@ class PyramidBuilder {
     PyramidProblem out;
     out.origin = origin_;
     out.generators.resize(rows_, g);
-    for (Index k = 0; k < g; ++k) out.generators.col(k) = generators_[static_cast<std::size_t>(k)];
+    for (Index k = 0; k < g; ++k) out.generators.col(k) = generators_[k];
 
     // The complement of a generator is the velocity along it.
     MatrixXd& M = out.lcp.M;
@@ -69,7 +68,7 @@ class PyramidBuilder {
     out.lcp.q.head(g) = out.generators.transpose() * (contacts.A() * origin_ + contacts.b());
     // The complement of a multiplier is the slack of its limit.
     for (Index k = 0; k < l; ++k) {
-      const Limit& limit = limits_[static_cast<std::size_t>(k)];
+      const Limit& limit = limits_[k];
       const Index count = limit.end - limit.first;
       M.block(limit.first, g + k, count, 1).setOnes();
       M.block(g + k, limit.first, 1, count).setConstant(-1);

@@ -42,7 +42,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
       Index offset = 0;
       const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&offset);
       if (!(largest > 0) || !std::isfinite(largest)) return false;
-      pivots_[static_cast<std::size_t>(k)] = k + offset;
+      pivots_[k] = k + offset;
       if (offset > 0)
         R.row(k).segment(begin, end - begin).swap(R.row(k + offset).segment(begin, end - begin));
 
@@ -59,7 +59,7 @@ void InPlaceLu::solve(const Eigen::Ref<const Eigen::MatrixXd>& factors,
                       Eigen::Ref<Eigen::VectorXd> y) const {
   for (const auto [begin, end] : blocks_) {
     // Permutation, then forward substitution with L, then back substitution with U.
-    for (Index k = begin; k < end; ++k) std::swap(y(k), y(pivots_[static_cast<std::size_t>(k)]));
+    for (Index k = begin; k < end; ++k) std::swap(y(k), y(pivots_[k]));
     for (Index k = begin; k < end; ++k) {
       const Index rest = end - k - 1;
       y.segment(k + 1, rest) -= y(k) * factors.col(k).segment(k + 1, rest);

@@ -1,7 +1,5 @@
 #include "contact/interior_contact.h"
 
-#include <cmath>
-
 #include "base/numbers.h"
 #include "base/stop_scope.h"
 
@@ -74,9 +72,6 @@ Vector4d InteriorContact::times_scaling(const Cone& cone, const Vector4d& u) {
   return cone.beta * (2 * cone.v * cone.v.dot(u) - reflected(u));
 }
 
-bool InteriorContact::Interval::has_lower() const { return std::isfinite(lower); }
-bool InteriorContact::Interval::has_upper() const { return std::isfinite(upper); }
-
 Vector3d InteriorContact::slip_gradient(const Cone& cone) const {
   if (coupling_ == Coupling::kFrozen) return Vector3d::Zero();
   return cone.y.tail<3>() / std::hypot(cone.y.tail<3>().norm(), smoothing_);
@@ -97,19 +92,13 @@ void InteriorContact::initialize(const ScaledContacts& contacts, const Ref<const
   for (const ScaledBlock& block : contacts.blocks()) {
     if (block.is_cone()) {
       // Cones start on their axis at the scale of the problem.
-      Cone cone;
-      cone.start = block.start;
-      cone.rows = block.rows;
-      cone.mu = block.mu;
+      Cone cone{block.start, block.rows, block.mu};
       cone.slip = u_.segment(block.start + 1, block.rows - 1).norm();
       cone.x(0) = cone.y(0) = size;
       cones_.push_back(cone);
       continue;
     }
-    Interval interval;
-    interval.start = block.start;
-    interval.lower = block.lower;
-    interval.upper = block.upper;
+    Interval interval{block.start, block.lower, block.upper};
     // Impulse inside the interval, at most the scale away from its bounds.
     interval.f = std::clamp(0.0, block.lower, block.upper);
     const double half = std::min(size, (block.upper - block.lower) / 2);
@@ -157,7 +146,6 @@ void InteriorContact::update_residuals(const ScaledContacts& contacts) {
   smoothing_ = tau_ / contacts.scale();
 
   // Residuals  y - |y_t| e - D u  of cones, and  low - high - u  of intervals.
-  residual_norm_ = 0;
   for (const Cone& cone : cones_) {
     const int i = cone.start;
     const double slip = coupling_ == Coupling::kFull ? cone.y.tail<3>().norm() : cone.slip;

@@ -2,6 +2,7 @@
 
 /// Interior-point method for a contact problem.
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -51,8 +52,8 @@ class InteriorContact {
     double lower = 0, upper = 0, f = 0, low = 0, high = 0;  // bounds, impulse, multipliers
     double df = 0, dlow = 0, dhigh = 0;                     // direction
     double low_term = 0, high_term = 0;                     // dlow and dhigh at df = 0
-    [[nodiscard]] bool has_lower() const;
-    [[nodiscard]] bool has_upper() const;
+    [[nodiscard]] bool has_lower() const { return std::isfinite(lower); }
+    [[nodiscard]] bool has_upper() const { return std::isfinite(upper); }
     [[nodiscard]] bool is_fixed() const { return lower == upper; }
   };
 

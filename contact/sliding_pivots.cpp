@@ -98,7 +98,7 @@ bool take_pivoting_step(const ScaledContacts& contacts, Eigen::Ref<VectorXd> f,
   // Impulses f = F (z, 1): eliminate the dependent rows by G f + g = 0.
   const auto unknowns = static_cast<Index>(states.loaded.size());
   MatrixXd F = MatrixXd::Zero(n, unknowns + 1);
-  for (Index k = 0; k < unknowns; ++k) F(states.loaded[static_cast<std::size_t>(k)], k) = 1;
+  for (Index k = 0; k < unknowns; ++k) F(states.loaded[k], k) = 1;
   F.col(unknowns) = states.fixed;
   if (!states.dependent.empty()) {
     const MatrixXd rows = states.G(states.dependent, Eigen::all);
@@ -106,8 +106,7 @@ bool take_pivoting_step(const ScaledContacts& contacts, Eigen::Ref<VectorXd> f,
     rhs.col(unknowns) += states.g(states.dependent);
     const MatrixXd solution =
         -MatrixXd(rows(Eigen::all, states.dependent)).completeOrthogonalDecomposition().solve(rhs);
-    for (Index k = 0; k < solution.rows(); ++k)
-      F.row(states.dependent[static_cast<std::size_t>(k)]) += solution.row(k);
+    for (Index k = 0; k < solution.rows(); ++k) F.row(states.dependent[k]) += solution.row(k);
   }
   // Solve the linear complementarity problem of the loaded rows.
   LinearComplementarity normals;

@@ -20,33 +20,22 @@ constexpr double kBoneRadius = 2.5e-3;     // radius of capsules [m]
 constexpr double kAxisArrowLength = 0.03;  // length of an arrow along an axis [m]
 constexpr double kMinBoneLength = 1e-6;    // distance of axes below which they share a point [m]
 
-/// Bodies of a digit, in order of addition, and their links.
-class BodyList {
- public:
-  explicit BodyList(std::string digit) : digit_(std::move(digit)) {}
+/// Bodies of a digit, and how to add one.
+struct BodyList {
+  const std::string& digit;
+  DigitBodies& out;
 
   void add(const std::string& name, LiveRole role, int link,
            std::shared_ptr<const TriangleMesh> mesh) {
     LiveBody body;
-    body.name = digit_ + "/" + name;
-    body.owner = digit_;
-    body.digit = digit_;
+    body.name = digit + "/" + name;
+    body.owner = body.digit = digit;
     body.material = role == LiveRole::kBone ? "bone" : "skin";
     body.role = role;
     body.mesh = std::move(mesh);
-    bodies_.push_back(std::move(body));
-    links_.push_back(link);
+    out.bodies.push_back(std::move(body));
+    out.links.push_back(link);
   }
-  [[nodiscard]] int body_of(int link) const { return place_in(links_, link); }
-  void move_into(DigitBodies& out) {
-    out.bodies = std::move(bodies_);
-    out.links = std::move(links_);
-  }
-
- private:
-  std::string digit_;
-  std::vector<LiveBody> bodies_;
-  std::vector<int> links_;
 };
 
 /// Returns the rotation that lays the digit along x with its dorsal side up.
@@ -94,10 +83,7 @@ std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
   shape.kind = ShapeKind::kCapsule;
   // Turn z, the axis of a capsule, onto the segment, and centre the capsule on it.
   shape.size = {kBoneRadius, (b - a).norm(), 0};
-  const Eigen::Vector3d along = (b - a).normalized();
-  const Tangents across = tangents(along);
-  shape.X_BS.R << across.e1, across.e2, along;
-  shape.X_BS.p = (a + b) / 2;
+  shape.X_BS = frame_with_z((b - a).normalized(), (a + b) / 2);
   return std::make_shared<const TriangleMesh>(build_solid({shape}).visual);
 }
 
@@ -119,7 +105,7 @@ void add_capsules(const TendonDigit& digit, BodyList& list) {
 
 /// Returns the joints, each at the point where the bone crosses its axis.
 std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& digit,
-                                 const BodyList& list) {
+                                 const std::vector<int>& links) {
   const TendonModel<double>& model = digit.model;
   const TreeState<double> state =
       pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
@@ -127,13 +113,12 @@ std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& dig
   std::vector<LiveJoint> joints;
   for (std::size_t i = 0; i < model.tree.size(); ++i) {
     const Hinge<double>& hinge = model.tree[i];
-    const auto coordinate = static_cast<std::size_t>(hinge.coordinate);
-    const CoordinateLimits& limits = digit.skeleton.limits[coordinate];
-    const std::string& leader = digit.names.coordinates[coordinate];
+    const CoordinateLimits& limits = digit.skeleton.limits[hinge.coordinate];
+    const std::string& leader = digit.names.coordinates[hinge.coordinate];
     LiveJoint joint;
     joint.name = digit.names.hinges[i];
     joint.hand = name;
-    joint.body = list.body_of(static_cast<int>(i));
+    joint.body = place_in(links, static_cast<int>(i));
     joint.axis = hinge.direction;
     joint.point = state[i].X.inverse() * points[i];
     // Map the limits of the coordinate to the hinge; a negative ratio swaps them.
@@ -153,7 +138,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
                          DigitLook look) {
   DigitBodies out;
   out.X_WS = upright_frame(digit);
-  BodyList list(name);
+  BodyList list{name, out};
   // Look up the anatomy; a subject without one is drawn as capsules, with a warning.
   std::optional<HandAnatomy> hand;
   if (look == DigitLook::kAnatomy) try {
@@ -169,10 +154,9 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   }
   // Give every remaining link (of a universal joint) a body without a mesh, for its joint.
   for (int link = 0; link < static_cast<int>(digit.model.tree.size()); ++link)
-    if (list.body_of(link) < 0)
+    if (!contains(out.links, link))
       list.add(digit.names.hinges[link] + " link", LiveRole::kBone, link, nullptr);
-  out.joints = joints_of(name, digit, list);
-  list.move_into(out);
+  out.joints = joints_of(name, digit, out.links);
   return out;
 }
 
@@ -189,9 +173,9 @@ std::vector<double> hinge_angles(const TendonModel<double>& model, const Eigen::
 }
 
 std::vector<LiveArrow> axis_arrows(const std::vector<std::string>& names) {
-  std::vector<LiveArrow> arrows;
-  for (const std::string& name : names) arrows.push_back({name, LiveArrowKind::kAxis});
-  return arrows;
+  return transformed(names, [](const std::string& name) {
+    return LiveArrow{name, LiveArrowKind::kAxis};
+  });
 }
 
 std::vector<LiveVector> axis_vectors(const DigitBodies& bodies, const TendonModel<double>& model,

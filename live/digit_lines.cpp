@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "tendons/net/band_course.h"
 
@@ -17,22 +18,19 @@ constexpr double kArcSpacing = 1e-3;      // spacing of points on a surface befo
 constexpr double kPointTolerance = 1e-9;  // distance below which two points are equal [m]
 constexpr double kMinPullShare = 1e-9;    // share of a muscle's tension below which it is rounding
 
-/// Returns the points of a path up to its first point on the base.
-std::vector<Vector3d> node_points(const TendonPath<double>& path, const TreeState<double>& state) {
-  std::vector<Vector3d> points;
-  for (const PathNode<double>& node : path) {
-    points.push_back(moved(state, node.link, node.p));
-    if (node.link < 0 && points.size() > 1) break;
-  }
-  return points;
-}
-
-/// Counts the points of node_points().
+/// Counts the points of a path up to its first point on the base after the start.
 int count_points(const TendonPath<double>& path) {
   int count = 0;
   for (const PathNode<double>& node : path)
     if (++count > 1 && node.link < 0) break;
   return count;
+}
+
+/// Returns these points.
+std::vector<Vector3d> node_points(const TendonPath<double>& path, const TreeState<double>& state) {
+  std::vector<Vector3d> points(count_points(path));
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = moved(state, path[i].link, path[i].p);
+  return points;
 }
 
 /// Resamples a polyline at `count` points with equal spacing along it.
@@ -84,12 +82,10 @@ void DigitLines::add_line(const std::string& name, const std::string& digit, con
 }
 
 void DigitLines::add_strand(int strand, const std::string& digit) {
-  const auto s = static_cast<std::size_t>(strand);
-  const std::string& name = tendons_->digit().names.strands[s];
-  Source source;
-  source.strand = strand;
-  if (path_of_strand_[s] >= 0) return add_line(name, digit, source, kMaxTendonPoints);
-  const int points = count_points(model().paths[s]);
+  const std::string& name = tendons_->digit().names.strands[strand];
+  const Source source{strand};
+  if (path_of_strand_[strand] >= 0) return add_line(name, digit, source, kMaxTendonPoints);
+  const int points = count_points(model().paths[strand]);
   if (points > 1) add_line(name, digit, source, std::min(points, kMaxTendonPoints));
 }
 
@@ -139,9 +135,9 @@ std::vector<Vector3d> DigitLines::line_course(std::size_t line, const TreeState<
   const Source& source = sources_[line];
   if (source.band >= 0) return band_course(net_->net().net, state, rest, source.band).points;
   if (source.muscle >= 0) return node_points(net_->net().muscles[source.muscle].own_path, state);
-  const auto strand = static_cast<std::size_t>(source.strand);
-  if (path_of_strand_[strand] >= 0) return wrapped_points(shapes[path_of_strand_[strand]], state);
-  return node_points(model().paths[strand], state);
+  const int wrapped = path_of_strand_[source.strand];
+  if (wrapped >= 0) return wrapped_points(shapes[wrapped], state);
+  return node_points(model().paths[source.strand], state);
 }
 
 std::vector<Vector3d> DigitLines::points(const TreeState<double>& state,
@@ -155,7 +151,7 @@ std::vector<Vector3d> DigitLines::points(const TreeState<double>& state,
     // Resample the line to its fixed number of points.
     if (static_cast<int>(points.size()) != lines_[i].points)
       points = resampled_evenly(points, lines_[i].points);
-    all.insert(all.end(), points.begin(), points.end());
+    append_all(all, points);
   }
   return all;
 }

@@ -1,6 +1,5 @@
 #include "live/excited_muscles.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -7,6 +7,7 @@
 #include "api/fit.h"
 #include "api/named/files.h"
 #include "api/posterior.h"
+#include "base/lists.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
@@ -61,7 +62,7 @@ FitSource source_of_posterior(const std::string& path) {
                    {},
                    {},
                    checksum_warnings(path)};
-  for (const std::string& warning : run.convergence.warnings) source.warnings.push_back(warning);
+  append_all(source.warnings, run.convergence.warnings);
   // Collect the means of all draws, and at most kMaxShownDraws draws at equal intervals.
   const PosteriorValues values = posterior.values(pooled(run.draws));
   const std::vector<int> moving = posterior.moving_parameters();

@@ -12,7 +12,6 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "tendons/net/build_tendons.h"
-#include "tendons/net/digit_sweep.h"
 #include "tendons/net/net_continuation.h"
 #include "tendons/net/net_derivatives.h"
 
@@ -156,13 +155,9 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   const TendonDigit& bones = case_.bones();
   append_all(next.warnings,
              overload_warnings(bones.names.muscles, bones.max_tension, next.tension));
-  append_all(next.warnings,
-             reversal_warnings(case_.net != nullptr ? case_.net->linear() : *case_.tendons,
-                               {{}, 1, {q}, {}}));
-  if (case_.bones().fidelity.path != Path::kFitted) {
-    const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
-    append_all(next.warnings, collapse_warnings(linear, q));
-  }
+  const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
+  append_all(next.warnings, reversal_warnings(linear, {{}, 1, {q}, {}}));
+  if (bones.fidelity.path != Path::kFitted) append_all(next.warnings, collapse_warnings(linear, q));
   // Commit the results; nothing below throws.
   state_ = std::move(next);
   if (new_baseline) baseline_ = std::move(*new_baseline);
@@ -207,8 +202,8 @@ Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point, const Eigen::VectorX
 
 Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
   if (!trusted(point.pull.status)) return Eigen::VectorXd::Constant(t.size(), kNaN);
-  if (case_.net == nullptr) return case_.tendons->lengths(point.q, t, point.pull);
   Eigen::VectorXd lengths = case_.tendons->lengths(point.q, t, point.pull);
+  if (case_.net == nullptr) return lengths;
   // The lines of a slack muscle are undetermined.
   for (const NetMuscle& muscle : case_.net->net().muscles)
     if (t[muscle.muscle] < kSlackTension) lengths[muscle.muscle] = kNaN;
@@ -243,7 +238,7 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
     const MomentArmPoint& point = answer.points[k];
     curves.angle[k] = point.q[i];
     if (!point.message.empty()) continue;
-    curves.arms.col(k) = point.arms.col(static_cast<Eigen::Index>(i));
+    curves.arms.col(k) = point.arms.col(i);
     curves.lengths.col(k) = point.length_change;
   }
   return curves;

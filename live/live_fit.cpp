@@ -1,6 +1,5 @@
 #include "live/live_fit.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -54,12 +53,11 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& draws
   }
   for (std::size_t i = 0; i < hinges.size(); ++i) clouds[i].name = hinges[i];
   // Remove clouds whose axis is equal in all draws.
-  const auto still = [](const LiveCloud& cloud) {
+  erase_where(clouds, [](const LiveCloud& cloud) {
     for (std::size_t k = 2; k < cloud.segments.size(); ++k)
       if ((cloud.segments[k] - cloud.segments[k % 2]).norm() > kAxisTolerance) return false;
     return true;
-  };
-  clouds.erase(std::remove_if(clouds.begin(), clouds.end(), still), clouds.end());
+  });
   return clouds;
 }
 
@@ -97,8 +95,7 @@ LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
   // Build one picture for each specimen, and show the first trial.
   for (std::size_t s = 0; s < source_.specimens.size(); ++s)
     pictures_.push_back(draw_specimen(static_cast<int>(s)));
-  for (const std::string& warning : pictures_.front().picture->warnings())
-    source_.warnings.push_back(warning);
+  append_all(source_.warnings, pictures_.front().picture->warnings());
   show_trial(0);
   shape_changes_ = changes_ = 0;
 }
@@ -145,7 +142,7 @@ void LiveFit::show_trial(int trial) {
   const std::size_t before = specimen();
   shown_trial_ = trial;
   const SpecimenPicture& drawn = pictures_[specimen()];
-  const auto i = static_cast<std::size_t>(trials_[trial].trial);
+  const int i = trials_[trial].trial;
   // Pose the specimen with its fitted errors of angles, and scale the tensions by the fitted gains.
   posed_ = pose_specimen(drawn.model, plan(), static_cast<std::size_t>(plan().posture_of_trial[i]));
   tension_ = drawn.model.gain.cwiseProduct(plan().tension[i]);

@@ -1,7 +1,6 @@
 #include "live/live_motion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -159,13 +158,7 @@ void LiveMotion::reset() {
 }
 
 LiveTime LiveMotion::live_time() const {
-  LiveTime out;
-  out.t = shown_instant().state.t;
-  out.step = stepper_.length();
-  out.playing = playing_;
-  out.speed = speed_;
-  out.duration = source_.duration;
-  return out;
+  return {shown_instant().state.t, stepper_.length(), playing_, speed_, source_.duration};
 }
 
 // State of the instant that is shown.
@@ -173,7 +166,7 @@ LiveTime LiveMotion::live_time() const {
 std::vector<ContactSample> LiveMotion::contacts() const {
   const PastInstant& past = history_.instant(shown_);
   std::vector<ContactSample> all = contact_samples(past.scene.active, past.scene.part);
-  all.insert(all.end(), past.pads.begin(), past.pads.end());
+  append_all(all, past.pads);
   return all;
 }
 
@@ -237,7 +230,7 @@ TimelineState LiveMotion::state(const MotionParts& parts) const {
   if (parts.bodies) add_bodies(out);
   if (parts.contacts) {
     out.contacts = contacts();
-    for (const MechanismBody& body : scene().mechanism.bodies) out.body_names.push_back(body.name);
+    out.body_names = names_of(scene().mechanism.bodies);
   }
   if (parts.energy) out.energy = energy();
   if (parts.muscles) out.muscles = muscles();

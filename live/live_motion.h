@@ -2,7 +2,6 @@
 
 /// Interactive simulation of a scene: stepping, inputs, and seeking in its history.
 
-#include <memory>
 #include <string>
 #include <vector>
 

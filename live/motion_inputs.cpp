@@ -13,8 +13,7 @@ namespace {
 /// Returns true if the first joint of a coordinate slides.
 bool slides_along(const MovingScene& scene, int coordinate) {
   for (const MechanismJoint& joint : scene.mechanism.joints)
-    if (is_scalar(joint.kind) && joint.coordinate == coordinate)
-      return joint.kind == JointKind::kSlide;
+    if (is_moved_by(joint, coordinate)) return joint.kind == JointKind::kSlide;
   return false;
 }
 

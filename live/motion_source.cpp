@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "dynamics/stepping/scene_stepper.h"
 
 namespace thenar {
@@ -27,7 +28,7 @@ void set_step_length(double step, SceneOptions& options) {
 }
 
 bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
-  return std::any_of(spec.pads.begin(), spec.pads.end(), [&](const ScenePadSpec& pad) {
+  return any_of(spec.pads, [&](const ScenePadSpec& pad) {
     return (request.pads.empty() ? pad.rung : request.pads) == "elements";
   });
 }

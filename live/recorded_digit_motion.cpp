@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "tendons/net/net_continuation.h"
 
@@ -12,7 +13,7 @@ RecordedDigitMotion::RecordedDigitMotion(RecordedDigit run)
       run_(std::move(run)),
       name_(run_.subject.name + "/" + run_.digit),
       picture_(run_.subject, run_.digit, run_.tendons, run_.angle.row(0)) {
-  run_.warnings.insert(run_.warnings.end(), picture_.warnings().begin(), picture_.warnings().end());
+  append_all(run_.warnings, picture_.warnings());
 }
 
 LiveInstant RecordedDigitMotion::instant() const {
@@ -51,16 +52,12 @@ TimelineState RecordedDigitMotion::state(const MotionParts& parts) const {
   // Fill the selected parts.
   TimelineState out;
   out.t = shown_time();
-  if (parts.joints)
-    for (std::size_t c = 0; c < names.coordinates.size(); ++c) {
-      const auto i = static_cast<Eigen::Index>(c);
-      out.joints.push_back({names.coordinates[c], q[i], q_dot[i], std::nullopt});
-    }
+  for (std::size_t c = 0; parts.joints && c < names.coordinates.size(); ++c)
+    out.joints.push_back({names.coordinates[c], q[c], q_dot[c], std::nullopt});
   if (parts.energy) out.energy = energy();
   for (std::size_t m = 0; parts.muscles && m < names.muscles.size(); ++m) {
-    const auto i = static_cast<Eigen::Index>(m);
-    out.muscles.push_back({names.muscles[m], "N", t[i]});
-    out.muscles.push_back({names.muscles[m] + " activation", "1", a[i]});
+    out.muscles.push_back({names.muscles[m], "N", t[m]});
+    out.muscles.push_back({names.muscles[m] + " activation", "1", a[m]});
   }
   return out;
 }

@@ -42,9 +42,8 @@ RecordedMotion::RecordedMotion(RecordedScene run)
       picture_(scene_picture(run_.built, run_.camera)),
       model_(tree_model(run_.built.scene.mechanism)) {
   // Find the recorded tension of each drawn muscle; -1: not recorded.
-  for (const std::string& muscle : picture_.tendons.muscles()) {
+  for (const std::string& muscle : picture_.tendons.muscles())
     tension_of_.push_back(place_in(run_.muscles, muscle));
-  }
 }
 
 Eigen::VectorXd RecordedMotion::tension() const {
@@ -119,7 +118,7 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
   // Fill the contacts of the nearest instant, and interpolated energies and tensions.
   if (parts.contacts) {
     out.contacts = nearest_sample().contacts;
-    for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);
+    out.body_names = names_of(mechanism.bodies);
   }
   if (parts.energy) out.energy = energy();
   if (parts.muscles && !run_.muscles.empty()) {

@@ -16,14 +16,7 @@ RecordedTimeline::RecordedTimeline(std::vector<double> times) : times_(std::move
 }
 
 LiveTime RecordedTimeline::live_time() const {
-  LiveTime out;
-  out.t = t_;
-  out.step = kPlaybackStep;
-  out.playing = playing_;
-  out.speed = speed_;
-  out.duration = times_.back();
-  out.recorded = true;
-  return out;
+  return {t_, kPlaybackStep, playing_, speed_, times_.back(), true};
 }
 
 MotionQuality RecordedTimeline::step(long count, const Progress& /*progress*/) {
@@ -58,8 +51,7 @@ RecordedTimeline::Interpolation RecordedTimeline::interpolation() const {
 
 Eigen::VectorXd RecordedTimeline::interpolated(const Eigen::MatrixXd& rows) const {
   const Interpolation t = interpolation();
-  const auto from = static_cast<Eigen::Index>(t.from), to = static_cast<Eigen::Index>(t.to);
-  return rows.row(from) + t.fraction * (rows.row(to) - rows.row(from));
+  return rows.row(t.from) + t.fraction * (rows.row(t.to) - rows.row(t.from));
 }
 
 }  // namespace thenar

@@ -1,8 +1,8 @@
 #include "live/scene_picture.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
 
@@ -14,18 +14,11 @@ int leading_joint(const Mechanism& mechanism, int coordinate) {
   int first = -1;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
-    if (!is_scalar(joint.kind) || joint.coordinate != coordinate) continue;
+    if (!is_moved_by(joint, coordinate)) continue;
     if (joint.ratio == 1 && joint.offset == 0 && joint.curve.empty()) return static_cast<int>(i);
     if (first < 0) first = static_cast<int>(i);
   }
   return first;
-}
-
-/// Returns true if a body is fixed to the world through all bodies that carry it.
-bool is_fixed_to_world(const Mechanism& mechanism, std::size_t body) {
-  for (int at = static_cast<int>(body); at >= 0; at = mechanism.joints[at].parent)
-    if (mechanism.joints[at].kind != JointKind::kWeld) return false;
-  return true;
 }
 
 /// Builds the drawn body of a body of the mechanism.
@@ -40,7 +33,7 @@ LiveBody body_of_picture(const BuiltScene& built, std::size_t i) {
   // Set the role: links and bones have a hand as owner, other bodies own themselves.
   if (body.name != built.owner[i])
     out.role = body.material == "bone" ? LiveRole::kBone : LiveRole::kLink;
-  else if (is_fixed_to_world(built.scene.mechanism, i))
+  else if (carrier_by_welds(built.scene.mechanism, static_cast<int>(i)) < 0)
     out.role = LiveRole::kObstacle;
   // Set the surface.
   out.crease = crease_of(body.material);
@@ -67,7 +60,7 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) continue;
-    const auto c = static_cast<std::size_t>(joint.coordinate);
+    const int c = joint.coordinate;
     const bool leads = leading_joint(mechanism, joint.coordinate) == static_cast<int>(i);
     const std::string& coordinate = mechanism.coordinates[c].name;
     // Name the leading joint after the coordinate.
@@ -119,22 +112,20 @@ void set_stop_ranges(const MovingScene& scene, std::vector<CoordinateRange>& ran
 std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
   const Mechanism& mechanism = scene.mechanism;
   // Start from unlimited coordinates.
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  std::vector<CoordinateRange> ranges(mechanism.coordinates.size(), {-kNone, kNone});
+  std::vector<CoordinateRange> ranges(mechanism.coordinates.size(), {-kInfinity, kInfinity});
   // Narrow the ranges to the limits of joints, and apply the joint stops of human hands.
   std::vector<bool> slides(ranges.size(), false);
   for (const MechanismJoint& joint : mechanism.joints) {
     if (!is_scalar(joint.kind)) continue;
-    const auto c = static_cast<std::size_t>(joint.coordinate);
-    slides[c] = slides[c] || joint.kind == JointKind::kSlide;
-    narrow_range(joint, ranges[c]);
+    if (joint.kind == JointKind::kSlide) slides[joint.coordinate] = true;
+    narrow_range(joint, ranges[joint.coordinate]);
   }
   set_stop_ranges(scene, ranges);
   // Give unlimited coordinates half a turn or a metre to either side.
   for (std::size_t c = 0; c < ranges.size(); ++c) {
     const double limit = slides[c] ? 1 : kPi;
-    if (ranges[c].lower == -kNone) ranges[c].lower = -limit;
-    if (ranges[c].upper == kNone) ranges[c].upper = limit;
+    if (ranges[c].lower == -kInfinity) ranges[c].lower = -limit;
+    if (ranges[c].upper == kInfinity) ranges[c].upper = limit;
   }
   return ranges;
 }
@@ -166,10 +157,9 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   LiveInstant out;
   out.time = view.t;
   // Set poses and joint values; a joint that follows a coordinate has its own value.
-  const auto pose = [&](int body) { return view.X_WB[body]; };
-  for (const int body : picture.body_of) out.bodies.push_back(pose(body));
+  for (const int body : picture.body_of) out.bodies.push_back(view.X_WB[body]);
   for (std::size_t k = 0; k < picture.joint_of.size(); ++k) {
-    const auto i = static_cast<std::size_t>(picture.joint_of[k]);
+    const int i = picture.joint_of[k];
     const double u = view.q[layout.first_q[i]];
     out.joints.push_back(picture.leads[k] ? u : joint_value(scene.mechanism.joints[i], u).value);
   }
@@ -178,21 +168,15 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   // Set the arrows; forces that are not active at this time have zero length.
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const SceneForce& force = scene.forces[k];
-    const Eigen::Vector3d at = pose(force.body) * force.point;
+    const Eigen::Vector3d at = view.X_WB[force.body] * force.point;
     const Eigen::Vector3d vector = picture.is_moment[k] ? force.moment : force.force;
     out.arrows.push_back({at, force.when.holds(view.t) ? vector : Eigen::Vector3d(0, 0, 0)});
   }
   // Convert the contacts to the bodies of the shape; friction sets the angle of the cone.
-  for (const ContactSample& contact : view.contacts) {
-    LiveContact shown;
-    shown.a = picture.shape_body_of[contact.a];
-    shown.b = picture.shape_body_of[contact.b];
-    shown.point = contact.point;
-    shown.normal = contact.normal;
-    shown.force = contact.force;
-    shown.friction = pair_friction(scene, contact.a, contact.b).coefficient;
-    out.contacts.push_back(shown);
-  }
+  for (const ContactSample& contact : view.contacts)
+    out.contacts.push_back({picture.shape_body_of[contact.a], picture.shape_body_of[contact.b],
+                            contact.point, contact.normal, contact.force,
+                            pair_friction(scene, contact.a, contact.b).coefficient});
   return out;
 }
 

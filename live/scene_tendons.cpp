@@ -1,9 +1,9 @@
 #include "live/scene_tendons.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
@@ -15,10 +15,8 @@ int hand_base_body(const BuiltScene& built, int place) {
   const Mechanism& mechanism = built.scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
-    if (is_scalar(mechanism.joints[i].kind) && layout.first_q[i] == place) {
-      const auto first = std::find(built.owner.begin(), built.owner.end(), built.owner[i]);
-      return static_cast<int>(first - built.owner.begin());
-    }
+    if (is_scalar(mechanism.joints[i].kind) && layout.first_q[i] == place)
+      return place_in(built.owner, built.owner[i]);
   throw InputError("wanted a joint for every coordinate that tendons move");
 }
 

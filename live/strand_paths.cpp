@@ -21,8 +21,8 @@ TendonPath<double> thinned(const TendonPath<double>& path) {
   if (path.size() <= kMaxStrandPoints) return path;
   TendonPath<double> thin;
   for (int i = 0; i < kMaxStrandPoints; ++i)
-    thin.push_back(path[static_cast<std::size_t>(
-        std::lround(i * static_cast<double>(path.size() - 1) / (kMaxStrandPoints - 1)))]);
+    thin.push_back(
+        path[std::lround(i * static_cast<double>(path.size() - 1) / (kMaxStrandPoints - 1))]);
   return thin;
 }
 

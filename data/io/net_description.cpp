@@ -8,7 +8,6 @@ namespace thenar {
 namespace {
 
 using internal::check_reference;
-using internal::names_of;
 using internal::new_name;
 using internal::reference;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/thread_seconds.h"
 #include "dynamics/compliant/penalty_law.h"
 #include "dynamics/stepping/limit_excess.h"
@@ -20,9 +21,7 @@ class CompliantLoop {
   CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
       : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
     // A time span ends where a force or drive starts or stops to act.
-    stops_.erase(std::remove_if(stops_.begin(), stops_.end(),
-                                [&](double t) { return t <= 0 || t >= options.seconds; }),
-                 stops_.end());
+    erase_where(stops_, [&](double t) { return t <= 0 || t >= options.seconds; });
     stops_.push_back(options.seconds);
   }
 
@@ -79,14 +78,8 @@ class CompliantLoop {
 
   void add_sample() {
     const SceneState& state = motion_.state();
-    SceneSample out;
-    out.t = state.t;
-    out.q = state.q;
-    out.v = state.v;
-    out.contacts = contacts_;
-    out.energy = energy_.energy(state);
-    out.energy.springs += stored_energy_;
-    run_.samples.push_back(std::move(out));
+    run_.samples.push_back({state.t, state.q, state.v, {}, contacts_, energy_.energy(state), {}});
+    run_.samples.back().energy.springs += stored_energy_;
     next_sample_ = std::lround(state.t / options_.sample) + 1;
   }
 

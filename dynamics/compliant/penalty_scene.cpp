@@ -182,12 +182,12 @@ class PenaltyMotion : public CompliantMotion {
   }
 
   [[nodiscard]] Eigen::Vector3d spin_of(int link) const {
-    return link < 0 ? Eigen::Vector3d(0, 0, 0) : motion_.links()[static_cast<std::size_t>(link)].w;
+    return link < 0 ? Eigen::Vector3d(0, 0, 0) : motion_.links()[link].w;
   }
 
   /// Adds the effort of a joint limit or of dry friction. @return its energy [J]
   double add_joint_load(const ActiveContact& contact, const SceneState& state) {
-    const auto joint = static_cast<std::size_t>(contact.a);
+    const int joint = contact.a;
     const MechanismJoint& spec = step_.scene().mechanism.joints[joint];
     const ContactCompliance& c = options_.compliance;
     const int row = step_.model().layout.first_v[joint];
@@ -243,7 +243,7 @@ class PenaltyMotion : public CompliantMotion {
     // Sum the curvatures of both parts.
     double curvature = 0;  // [1/m]
     for (const int body : {contact.a, contact.b}) {
-      const MechanismBody& spec = step_.scene().mechanism.bodies[static_cast<std::size_t>(body)];
+      const MechanismBody& spec = step_.scene().mechanism.bodies[body];
       const SolidPart* part =
           nearest_part(*spec.solid, motion_.pose(body).inverse() * contact.point);
       if (part == nullptr) return 0;

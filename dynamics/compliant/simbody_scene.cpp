@@ -72,7 +72,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
 
  private:
   [[nodiscard]] const MechanismJoint& joint_of(int joint) const {
-    return scene_.mechanism.joints[static_cast<std::size_t>(joint)];
+    return scene_.mechanism.joints[joint];
   }
 
   const MovingScene& scene_;
@@ -160,8 +160,7 @@ class SimbodyScene {
           return fmt::format(
               "'{}' and '{}' touch beyond the face that stands for a box: Simbody "
               "cannot simulate this",
-              scene_.mechanism.bodies[static_cast<std::size_t>(pair.a.body)].name,
-              scene_.mechanism.bodies[static_cast<std::size_t>(pair.b.body)].name);
+              scene_.mechanism.bodies[pair.a.body].name, scene_.mechanism.bodies[pair.b.body].name);
     }
     return "";
   }
@@ -191,14 +190,13 @@ class SimbodyScene {
       }
   } catch (const std::exception& failure) {
     throw InputError(fmt::format("Simbody refuses the surface of '{}': {}",
-                                 scene_.mechanism.bodies[static_cast<std::size_t>(body)].name,
-                                 failure.what()));
+                                 scene_.mechanism.bodies[body].name, failure.what()));
   }
 
   SimTK::ContactCliqueId clique_id(int clique) {
     while (static_cast<int>(clique_ids_.size()) <= clique)
       clique_ids_.push_back(SimTK::ContactSurface::createNewContactClique());
-    return clique_ids_[static_cast<std::size_t>(clique)];
+    return clique_ids_[clique];
   }
 
   /// Returns the pose of a surface in its body by Simbody's conventions.
@@ -225,7 +223,7 @@ class SimbodyScene {
       case SurfaceKind::kMesh:
         break;
     }
-    const MechanismBody& body = scene_.mechanism.bodies[static_cast<std::size_t>(of.body)];
+    const MechanismBody& body = scene_.mechanism.bodies[of.body];
     return mesh_geometry(body.solid->collision[of.part].core);
   }
 

@@ -1,5 +1,7 @@
 #include "dynamics/compliant/surface_pairs.h"
 
+#include <map>
+
 #include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/stepping/meeting_pairs.h"
@@ -28,9 +30,7 @@ class PairPlanner {
   }
 
  private:
-  [[nodiscard]] const MechanismBody& body(int i) const {
-    return scene_.mechanism.bodies[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const MechanismBody& body(int i) const { return scene_.mechanism.bodies[i]; }
   [[nodiscard]] const Solid& solid(int i) const { return *body(i).solid; }
   [[nodiscard]] const ShapeSpec& spec(const SimbodySurface& of) const {
     return solid(of.body).parts[of.part].spec;
@@ -52,26 +52,17 @@ class PairPlanner {
     const ShapeSpec& shape = spec(out);
     out.X_BS = shape.X_BS;
     out.size = shape.size;
-    switch (shape.kind) {
-      case ShapeKind::kSphere:
-        out.kind = SurfaceKind::kBall;
-        break;
-      case ShapeKind::kEllipsoid:
-        out.kind = SurfaceKind::kEllipsoid;
-        break;
-      case ShapeKind::kBox:
-        out.kind = SurfaceKind::kBrick;
-        out.size = 0.5 * shape.size;
-        break;
-      case ShapeKind::kMesh:
-        out.kind = SurfaceKind::kMesh;
-        break;
-      default:
-        throw InputError(
-            fmt::format("Simbody has no contacts of {}: wanted spheres, ellipsoids, "
-                        "boxes or meshes",
-                        description(out)));
-    }
+    static const std::map<ShapeKind, SurfaceKind> kinds{
+        {ShapeKind::kSphere, SurfaceKind::kBall},
+        {ShapeKind::kEllipsoid, SurfaceKind::kEllipsoid},
+        {ShapeKind::kBox, SurfaceKind::kBrick},
+        {ShapeKind::kMesh, SurfaceKind::kMesh}};
+    const auto found = kinds.find(shape.kind);
+    require(found != kinds.end(),
+            "Simbody has no contacts of {}: wanted spheres, ellipsoids, boxes or meshes",
+            description(out));
+    out.kind = found->second;
+    if (shape.kind == ShapeKind::kBox) out.size *= 0.5;
     return out;
   }
 
@@ -96,9 +87,7 @@ class PairPlanner {
   /// Returns true if the first of two boxes becomes the half space: a fixed box, else the box with
   /// the larger facing side.
   [[nodiscard]] bool becomes_half_space(const SimbodySurface& a, const SimbodySurface& b) const {
-    const auto is_fixed = [&](const SimbodySurface& of) {
-      return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;
-    };
+    const auto is_fixed = [&](const SimbodySurface& of) { return model_.bodies[of.body].link < 0; };
     if (is_fixed(a) != is_fixed(b)) return is_fixed(a);
     const auto face_area = [&](const SimbodySurface& box, const SimbodySurface& other) {
       const int k = facing_axis(box, other);

@@ -51,11 +51,10 @@ DigitPull::DigitPull(DigitPullModel model)
   // Mark the muscles that contract: those without a given tension. Only these may be excited.
   muscles_.contracts.assign(static_cast<std::size_t>(muscles_.total),
                             model_->contraction != nullptr);
-  for (const MuscleSchedule& given : model_->tensions)
-    muscles_.contracts[static_cast<std::size_t>(given.muscle)] = false;
+  for (const MuscleSchedule& given : model_->tensions) muscles_.contracts[given.muscle] = false;
   for (const MuscleSchedule& each : model_->excitations)
     require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
-            group.muscles()[static_cast<std::size_t>(each.muscle)]);
+            group.muscles()[each.muscle]);
   // Initialize the values of all muscles.
   values_.excitation.setZero(muscles_.total);
   values_.excursion.setZero(muscles_.total);
@@ -84,35 +83,22 @@ DigitPull::DigitPull(DigitPullModel model)
   muscles_.fibre_length.resize(muscles_.total);
   muscles_.length_at_optimum.resize(muscles_.total);
   for (Index m = 0; m < muscles_.total; ++m) {
-    const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
+    const Musculotendon& muscle = contraction().muscles()[m];
     muscles_.fibre_length[m] = muscle.optimal_fibre_length;
     muscles_.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
   }
 }
 
-std::unique_ptr<ForceElement> DigitPull::clone() const {
-  return std::make_unique<DigitPull>(*this);
-}
-
-const std::vector<std::string>& DigitPull::muscles() const { return model_->tendons->muscles(); }
-
-bool DigitPull::contracts(int muscle) const {
-  return muscles_.contracts[static_cast<std::size_t>(muscle)];
-}
-
 std::vector<std::string> DigitPull::state_names() const {
   // Order of the states: all activations, all excursions, all fibres.
   std::vector<std::string> names;
-  for (const int m : muscles_.contracting)
-    names.push_back("activation " + muscles()[static_cast<std::size_t>(m)] + " [1]");
+  for (const int m : muscles_.contracting) names.push_back("activation " + muscles()[m] + " [1]");
   for (const int m : muscles_.contracting)
     if (muscles_.has_excursion)
-      names.push_back("excursion " + muscles()[static_cast<std::size_t>(m)] +
-                      " [optimal fibre lengths]");
+      names.push_back("excursion " + muscles()[m] + " [optimal fibre lengths]");
   for (const int m : muscles_.contracting)
     if (muscles_.has_fibre)
-      names.push_back("projected fibre " + muscles()[static_cast<std::size_t>(m)] +
-                      " [optimal fibre lengths]");
+      names.push_back("projected fibre " + muscles()[m] + " [optimal fibre lengths]");
   return names;
 }
 
@@ -123,7 +109,7 @@ VectorXd DigitPull::initial_states(const VectorXd& q) const {
   // Excursions from the reference posture, then fibre lengths in isometric equilibrium.
   const VectorXd excursion = tendons().excursion(gathered(q, model_->indices.q)).e;
   for (Index i = 0; i < count; ++i) {
-    const int m = muscles_.contracting[static_cast<std::size_t>(i)];
+    const int m = muscles_.contracting[i];
     z[count + i] = excursion[m] / muscles_.fibre_length[m];
     if (muscles_.has_fibre)
       z[2 * count + i] = contraction().isometric_projected_fibre(
@@ -200,7 +186,7 @@ void DigitPull::set_states(const ElementInput& at, PullValues& values) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   const double* z = at.z.data() + at.first_z;
   for (Index i = 0; i < count; ++i) {
-    const int m = muscles_.contracting[static_cast<std::size_t>(i)];
+    const int m = muscles_.contracting[i];
     values.excitation[m] = excitation_pieces_.piece_of(m).value_at(at.t);
     values.state.activation[m] = z[i];
     if (!muscles_.has_excursion) continue;
@@ -277,8 +263,7 @@ bool DigitPull::add_action(const ElementInput& at, ElementAction& out) {
   // Add the torque at the joints.
   if (need != ElementNeed::kStates) {
     if (!values.tension.allFinite() || !values.torque.tau.allFinite()) return refuse();
-    for (std::size_t c = 0; c < v.size(); ++c)
-      out.tau[v[c]] += values.torque.tau[static_cast<Index>(c)];
+    for (std::size_t c = 0; c < v.size(); ++c) out.tau[v[c]] += values.torque.tau[c];
     cache_.tension = values.tension;
   }
   // Add slopes, then rates; the rates of excursions depend on the others.
@@ -327,7 +312,7 @@ void DigitPull::add_tension_slopes(const PullValues& values, ElementAction& out)
       by_angle[m] = values.contracted.by_length[m] * arm_j[m];
       by_speed[m] = values.contracted.by_velocity[m] * arm_j[m];
     }
-    const int column = v[static_cast<std::size_t>(j)];
+    const int column = v[j];
     // Entries (i, j) and (j, i).
     for (Index i = 0; i <= j; ++i) {
       const double* const arm_i = R.data() + i * muscles_.total;
@@ -336,7 +321,7 @@ void DigitPull::add_tension_slopes(const PullValues& values, ElementAction& out)
         stiffness += arm_i[m] * by_angle[m];
         damping += arm_i[m] * by_speed[m];
       }
-      const int row = v[static_cast<std::size_t>(i)];
+      const int row = v[i];
       out.stiffness(row, column) += stiffness;
       out.damping(row, column) += damping;
       if (i == j) continue;
@@ -351,7 +336,7 @@ void DigitPull::set_rates(const ElementInput& at, const PullValues& values,
                           ElementAction& out) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   for (Index i = 0; i < count; ++i) {
-    const int m = muscles_.contracting[static_cast<std::size_t>(i)];
+    const int m = muscles_.contracting[i];
     // Activation dynamics.
     const ActivationRate rate = activation_rate_with_slope(
         values.excitation[m], values.state.activation[m], model_->activation);
@@ -388,7 +373,7 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const PullValues& va
     for (const MuscleSchedule& given : model_->tensions)
       tension_rate[given.muscle] = tension_pieces_.piece_of(given.muscle).slope();
     for (Index i = 0; i < count; ++i) {
-      const int m = muscles_.contracting[static_cast<std::size_t>(i)];
+      const int m = muscles_.contracting[i];
       tension_rate[m] = values.contracted.by_activation[m] * out.z_rate[at.first_z + i];
       if (muscles_.has_fibre)
         tension_rate[m] += values.contracted.by_projected_fibre[m] *
@@ -398,7 +383,7 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const PullValues& va
   }
   // Scale by the optimal fibre length.
   for (Index i = 0; i < count; ++i) {
-    const int m = muscles_.contracting[static_cast<std::size_t>(i)];
+    const int m = muscles_.contracting[i];
     out.z_rate[at.first_z + count + i] = scratch_.excursion_rate[m] / muscles_.fibre_length[m];
     out.z_decay[at.first_z + count + i] = decay;
   }
@@ -488,9 +473,8 @@ std::vector<ElementValue> DigitPull::readings(const ElementInput& at) {
   std::vector<ElementValue> out;
   for (std::size_t m = 0; m < muscles().size(); ++m) {
     const std::string muscle = name() + "/" + muscles()[m];
-    out.push_back({muscle, "N", values.tension[static_cast<Index>(m)]});
-    if (muscles_.contracts[m])
-      out.push_back({muscle + " activation", "1", values.activation[static_cast<Index>(m)]});
+    out.push_back({muscle, "N", values.tension[m]});
+    if (muscles_.contracts[m]) out.push_back({muscle + " activation", "1", values.activation[m]});
   }
   return out;
 }

@@ -78,7 +78,9 @@ class DigitPull final : public ForceElement {
   /// excited, a schedule is empty or its times decrease, or two schedules of a muscle overlap.
   explicit DigitPull(DigitPullModel model);
 
-  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<DigitPull>(*this);
+  }
   [[nodiscard]] std::string name() const override { return model_->name; }
   [[nodiscard]] std::vector<std::string> state_names() const override;
   [[nodiscard]] Eigen::VectorXd initial_states(const Eigen::VectorXd& q) const override;
@@ -99,9 +101,11 @@ class DigitPull final : public ForceElement {
   /// Returns the model from which the pull was built.
   [[nodiscard]] const DigitPullModel& model() const { return *model_; }
   /// Returns the names of the muscles.
-  [[nodiscard]] const std::vector<std::string>& muscles() const;
+  [[nodiscard]] const std::vector<std::string>& muscles() const {
+    return model_->tendons->muscles();
+  }
   /// Returns true if a muscle contracts.
-  [[nodiscard]] bool contracts(int muscle) const;
+  [[nodiscard]] bool contracts(int muscle) const { return muscles_.contracts[muscle]; }
   /// Computes the state of tendons and muscles at an instant. Requires accept_step() at that
   /// instant.
   [[nodiscard]] PullState state_at(const ElementInput& at) const;

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "dynamics/mechanism/build_mechanism.h"
 #include "hand/skin/skin_body.h"
 #include "hand_versions/human_tendons.h"
@@ -57,7 +58,7 @@ std::string link_name(const Subject& subject, const Skeleton& skeleton, int link
       found = &segment;
   }
   if (found != nullptr) return found->name;
-  return link < 0 ? subject.base : skeleton.hinge_names[static_cast<std::size_t>(link)];
+  return link < 0 ? subject.base : skeleton.hinge_names[link];
 }
 
 /// Returns the mechanism with a base before all links.
@@ -65,10 +66,7 @@ Mechanism prepend_base(const Mechanism& links, const BodyMass& mass) {
   Mechanism out;
   // Weld the base to the world.
   out.coordinates = links.coordinates;
-  MechanismJoint weld;
-  weld.name = "base";
-  weld.kind = JointKind::kWeld;
-  out.joints.push_back(std::move(weld));
+  out.joints.push_back({"base", JointKind::kWeld});
   out.bodies.push_back({"base", mass, {}, {}});
   // Append the links; the indices of their parents increase by one.
   for (std::size_t i = 0; i < links.bodies.size(); ++i) {
@@ -84,7 +82,7 @@ void add_skins(const Subject& subject, const Skeleton& skeleton,
                const std::vector<LinkSurface>& surfaces, Mechanism& mechanism) {
   const int links = static_cast<int>(skeleton.tree.size());
   for (int link = -1; link < links; ++link) {
-    const auto body = static_cast<std::size_t>(link + 1);
+    const int body = link + 1;
     mechanism.bodies[body].name = link_name(subject, skeleton, link);
     // The first surface belongs to the body itself; further ones are bodies welded to it.
     bool has_skin = false;
@@ -99,11 +97,7 @@ void add_skins(const Subject& subject, const Skeleton& skeleton,
         skin.mass = mechanism.bodies[body].mass;
         mechanism.bodies[body] = std::move(skin);
       } else {
-        MechanismJoint weld;
-        weld.name = surface.name + " skin";
-        weld.kind = JointKind::kWeld;
-        weld.parent = static_cast<int>(body);
-        mechanism.joints.push_back(std::move(weld));
+        mechanism.joints.push_back({surface.name + " skin", JointKind::kWeld, body});
         mechanism.bodies.push_back(std::move(skin));
       }
       has_skin = true;
@@ -118,9 +112,8 @@ void set_resistance(const Skeleton& skeleton, Mechanism& mechanism) {
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
     // Only the joint that its coordinate is named after is damped.
-    if (joint.coordinate < 0) continue;
-    const auto c = static_cast<std::size_t>(joint.coordinate);
-    if (joint.name == skeleton.coordinate_names[c]) joint.damping = damping[joint.coordinate];
+    if (joint.coordinate >= 0 && joint.name == skeleton.coordinate_names[joint.coordinate])
+      joint.damping = damping[joint.coordinate];
   }
 }
 
@@ -134,11 +127,8 @@ std::vector<HumanDigit> assemble_digits(
     HumanDigit digit{subject.digits[i].name, tendons[i], {}, {}};
     const TendonNames& names = tendons[i]->digit().names;
     for (const std::string& name : names.coordinates) {
-      const auto at =
-          std::find(skeleton.coordinate_names.begin(), skeleton.coordinate_names.end(), name);
-      require(at != skeleton.coordinate_names.end(), "tendons move joint '{}', which is not there",
-              name);
-      digit.coordinates.push_back(static_cast<int>(at - skeleton.coordinate_names.begin()));
+      digit.coordinates.push_back(place_in(skeleton.coordinate_names, name));
+      require(digit.coordinates.back() >= 0, "tendons move joint '{}', which is not there", name);
     }
     for (const std::string& name : names.muscles) digit.max_force.push_back(max_force.at(name));
     digits.push_back(std::move(digit));
@@ -155,7 +145,7 @@ std::vector<HumanDigit> build_digits(const HumanModel& model, const Subject& sub
   // Build the tendons, and collect new warnings.
   HumanTendons built = human_tendons(subject, extensors, model.options);
   for (const std::string& warning : built.warnings)
-    if (std::count(warnings.begin(), warnings.end(), warning) == 0) warnings.push_back(warning);
+    if (!contains(warnings, warning)) warnings.push_back(warning);
   std::vector<std::shared_ptr<const DigitTendons>> tendons;
   for (std::unique_ptr<DigitTendons>& digit : built.hand.digits)
     tendons.emplace_back(std::move(digit));
@@ -169,7 +159,7 @@ HumanMechanism human_mechanism(const HumanModel& model) {
   HumanMechanism out;
   out.subject = subject_with_masses(model, out.warnings);
   const HumanHand hand = build_human_hand(out.subject, model.version, model.options);
-  out.warnings.insert(out.warnings.end(), hand.warnings.begin(), hand.warnings.end());
+  append_all(out.warnings, hand.warnings);
   out.skeleton = hand.skeleton;
   out.contact = hand.contact;
   // Convert it to a mechanism with skin and joint damping.
@@ -187,10 +177,8 @@ HumanMechanism human_mechanism(const HumanModel& model) {
   const HandLayout& layout = hand.hand->layout();
   if (model.version != HumanVersion::kTendonNet) {
     const Actuation motors = hand.hand->actuation(Eigen::VectorXd::Zero(layout.lower.size()));
-    for (std::size_t c = 0; c < out.mechanism.coordinates.size(); ++c) {
-      const auto i = static_cast<Eigen::Index>(c);
-      out.mechanism.coordinates[c].max_effort = std::max(-motors.lower[i], motors.upper[i]);
-    }
+    for (std::size_t c = 0; c < out.mechanism.coordinates.size(); ++c)
+      out.mechanism.coordinates[c].max_effort = std::max(-motors.lower[c], motors.upper[c]);
   }
   // Set the open posture, by default the one nearest to zero in range, and the tendons.
   out.open = layout.open.size() > 0

@@ -20,10 +20,6 @@ JointStops::JointStops(std::string name, Skeleton skeleton, CoordinateIndices pl
   for (CoordinateLimits& limits : limits_.limits) limits.stiffness = 0;
 }
 
-std::unique_ptr<ForceElement> JointStops::clone() const {
-  return std::make_unique<JointStops>(*this);
-}
-
 bool JointStops::add_action(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
   for (std::size_t i = 0; i < limits_.limits.size(); ++i) {

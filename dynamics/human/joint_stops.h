@@ -25,7 +25,9 @@ class JointStops final : public ForceElement {
   JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
              const JointResistance& resistance = {});
 
-  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<JointStops>(*this);
+  }
   [[nodiscard]] std::string name() const override { return name_; }
   bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;

@@ -26,7 +26,7 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules,
     const MuscleSchedule& each = schedules[i];
     require(each.muscle >= 0 && each.muscle < static_cast<int>(muscles.size()),
             "'{}' has no muscle {}", owner, each.muscle);
-    const std::string& name = muscles[static_cast<std::size_t>(each.muscle)];
+    const std::string& name = muscles[each.muscle];
     require(each.time.size() > 0 && each.time.size() == each.value.size(),
             "{} of '{}' has {} instants and {} values", what, name, each.time.size(),
             each.value.size());
@@ -64,8 +64,7 @@ void ActiveSchedulePieces::select(const std::vector<MuscleSchedule>& schedules, 
   if (acting_ == acting) return;
   for (SchedulePiece& piece : pieces_) piece = {};
   for (const MuscleSchedule& schedule : schedules)
-    if (schedule.when.holds(acting))
-      pieces_[static_cast<std::size_t>(schedule.muscle)] = piece_at(schedule, acting);
+    if (schedule.when.holds(acting)) pieces_[schedule.muscle] = piece_at(schedule, acting);
   // Values that are set override the schedules.
   for (std::size_t m = 0; m < set_values_.size(); ++m)
     if (set_values_[m]) pieces_[m] = constant_piece(0, *set_values_[m]);

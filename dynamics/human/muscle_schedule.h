@@ -60,9 +60,7 @@ class ActiveSchedulePieces {
   void set_value(std::size_t muscle, double value);
 
   /// Returns the selected piece of a muscle.
-  [[nodiscard]] const SchedulePiece& piece_of(int muscle) const {
-    return pieces_[static_cast<std::size_t>(muscle)];
-  }
+  [[nodiscard]] const SchedulePiece& piece_of(int muscle) const { return pieces_[muscle]; }
   /// Returns the value that overrides the schedules of a muscle, if any.
   [[nodiscard]] const std::optional<double>& value_set(std::size_t muscle) const {
     return set_values_[muscle];

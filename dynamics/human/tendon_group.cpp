@@ -1,9 +1,11 @@
 #include "dynamics/human/tendon_group.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -15,16 +17,14 @@ using Eigen::VectorXd;
 std::vector<int> index_names(const std::vector<std::string>& names, std::vector<std::string>& all) {
   std::vector<int> indices;
   for (const std::string& name : names) {
-    auto at = std::find(all.begin(), all.end(), name);
-    if (at == all.end()) at = all.insert(all.end(), name);
-    indices.push_back(static_cast<int>(at - all.begin()));
+    if (!contains(all, name)) all.push_back(name);
+    indices.push_back(place_in(all, name));
   }
   return indices;
 }
 
 bool share_a_name(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](const std::string& each) { return std::count(b.begin(), b.end(), each); });
+  return any_of(a, [&](const std::string& each) { return contains(b, each); });
 }
 
 }  // namespace
@@ -38,8 +38,7 @@ void gather(const VectorXd& from, const std::vector<int>& indices, VectorXd& out
 void scatter(const MatrixXd& added, const std::vector<int>& rows, const std::vector<int>& columns,
              MatrixXd& out) {
   for (Eigen::Index j = 0; j < added.cols(); ++j)
-    for (Eigen::Index i = 0; i < added.rows(); ++i)
-      out(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += added(i, j);
+    for (Eigen::Index i = 0; i < added.rows(); ++i) out(rows[i], columns[j]) += added(i, j);
 }
 
 std::vector<std::vector<int>> contracting_groups(
@@ -47,7 +46,7 @@ std::vector<std::vector<int>> contracting_groups(
   // Label of each digit's group: the index of its first digit. Digits that join take the lower one.
   const std::size_t digits = muscles.size();
   std::vector<std::size_t> group(digits);
-  for (std::size_t i = 0; i < digits; ++i) group[i] = i;
+  std::iota(group.begin(), group.end(), std::size_t{0});
   std::vector<bool> contracts = excited;
   for (bool any = true; any;) {
     any = false;
@@ -189,8 +188,7 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
     const double* next = sum;
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       for (std::size_t j = 0; j <= k; ++j, ++next) {
-        const int row = indices[static_cast<std::size_t>(coordinates[j])],
-                  column = indices[static_cast<std::size_t>(coordinates[k])];
+        const int row = indices[coordinates[j]], column = indices[coordinates[k]];
         out(row, column) += *next;
         if (j < k) out(column, row) += *next;
       }

@@ -13,10 +13,9 @@ Pose<double> pose_of(const TreeMotion<double>& motion, int body) {
   return body < 0 ? Pose<double>{} : motion.pose(body);
 }
 
-/// Returns the pose X_AB of frame b in frame a.
-Pose<double> relative_pose(const TreeMotion<double>& motion, const BodyFrame& a,
-                           const BodyFrame& b) {
-  return (pose_of(motion, a.body) * a.X_BF).inverse() * (pose_of(motion, b.body) * b.X_BF);
+/// Returns the pose of a frame in the world.
+Pose<double> pose_of(const TreeMotion<double>& motion, const BodyFrame& frame) {
+  return pose_of(motion, frame.body) * frame.X_BF;
 }
 
 }  // namespace
@@ -27,15 +26,10 @@ BushingElement::BushingElement(std::string name, BodyFrame proximal, BodyFrame d
   check_law(law_);
 }
 
-std::unique_ptr<ForceElement> BushingElement::clone() const {
-  return std::make_unique<BushingElement>(*this);
-}
-
 bool BushingElement::add_action(const ElementInput& at, ElementAction& out) {
   // Bushing coordinates of the two frames.
   const TreeMotion<double>& motion = at.motion;
-  const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
-  const Pose<double> X_WB = pose_of(motion, distal_.body) * distal_.X_BF;
+  const Pose<double> X_WA = pose_of(motion, proximal_), X_WB = pose_of(motion, distal_);
   const BushingPose pose = bushing_pose(X_WA.inverse() * X_WB);
   if (!pose.rate_map.allFinite()) return false;
   // Jacobian: velocity of B's origin relative to the point of the proximal body there, in axes of
@@ -59,7 +53,8 @@ bool BushingElement::add_action(const ElementInput& at, ElementAction& out) {
 }
 
 double BushingElement::energy(const ElementInput& at) {
-  const BushingPose pose = bushing_pose(relative_pose(at.motion, proximal_, distal_));
+  const BushingPose pose =
+      bushing_pose(pose_of(at.motion, proximal_).inverse() * pose_of(at.motion, distal_));
   return bushing_action(law_, pose.x, BushingVector::Zero()).energy;
 }
 
@@ -67,10 +62,6 @@ LigamentElement::LigamentElement(std::string name, const BodyPoint& from, const 
                                  const LigamentLaw& law)
     : name_(std::move(name)), from_(from), to_(to), law_(law) {
   check_law(law_);
-}
-
-std::unique_ptr<ForceElement> LigamentElement::clone() const {
-  return std::make_unique<LigamentElement>(*this);
 }
 
 bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {

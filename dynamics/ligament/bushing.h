@@ -27,7 +27,9 @@ class BushingElement : public ForceElement {
   /// @throws InputError if the law is invalid, see check_law()
   BushingElement(std::string name, BodyFrame proximal, BodyFrame distal, const BushingLaw& law);
 
-  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<BushingElement>(*this);
+  }
   [[nodiscard]] std::string name() const override { return name_; }
   /// Adds the force of the bushing.
   /// @return false if the abduction exceeds kMaxAbduction
@@ -57,7 +59,9 @@ class LigamentElement : public ForceElement {
   LigamentElement(std::string name, const BodyPoint& from, const BodyPoint& to,
                   const LigamentLaw& law);
 
-  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<LigamentElement>(*this);
+  }
   [[nodiscard]] std::string name() const override { return name_; }
   /// Adds the force of the ligament; a slack ligament adds nothing.
   /// @return true, as the law is valid at every length

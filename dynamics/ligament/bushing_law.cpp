@@ -24,12 +24,12 @@ BushingAction bushing_action(const BushingLaw& law, const BushingVector& x,
                              const BushingVector& rate) {
   BushingAction out;
   for (Eigen::Index i = 0; i < kBushingCoordinates; ++i) {
-    const CapsuleLaw& capsule = law.laws[static_cast<std::size_t>(i)];
+    const CapsuleLaw& capsule = law.laws[i];
     if (capsule.stiffness == 0 && capsule.damping == 0) continue;
     // Gradient g of the displacement from rest,  x_i - ratio_i flexion.
     BushingVector g = BushingVector::Zero();
     g[i] = 1;
-    g[kFlexionIndex] -= law.flexion_ratios[static_cast<std::size_t>(i)];
+    g[kFlexionIndex] -= law.flexion_ratios[i];
     // Force along g, and its derivatives.
     const LigamentForce spring = capsule_force(capsule, g.dot(x));
     out.effort -= (spring.force + capsule.damping * g.dot(rate)) * g;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -63,9 +64,8 @@ void check_hinge(const Mechanism& mechanism, const MechanismJoint& hinge) {
   require(hinge.kind == JointKind::kHinge, "joint '{}' is a {}: only hinges give", hinge.name,
           name_in(kJointKindNames, hinge.kind));
   const auto shares = std::count_if(
-      mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& joint) {
-        return is_scalar(joint.kind) && joint.coordinate == hinge.coordinate;
-      });
+      mechanism.joints.begin(), mechanism.joints.end(),
+      [&](const MechanismJoint& joint) { return is_moved_by(joint, hinge.coordinate); });
   require(shares == 1, "joint '{}' shares its coordinate with others: it cannot give", hinge.name);
   require(hinge.ratio == 1 && hinge.offset == 0 && hinge.curve.empty(),
           "joint '{}' does not turn as its coordinate does (ratio {:g}, offset {:g} rad{}): it "
@@ -123,13 +123,9 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   const int added = static_cast<int>(chain.size()) - 1;
   for (std::size_t i = body + 1; i < mechanism.joints.size(); ++i)
     if (mechanism.joints[i].parent >= joint) mechanism.joints[i].parent += added;
-  std::vector<MechanismBody> massless;
+  std::vector<MechanismBody> massless(added);
   for (int k = 0; k < added; ++k)
-    massless.push_back(
-        {mechanism.bodies[body].name + " on " + chain[static_cast<std::size_t>(k)].name,
-         {0, {0, 0, 0}, Eigen::Matrix3d::Zero()},
-         {},
-         {}});
+    massless[k].name = mechanism.bodies[body].name + " on " + chain[k].name;
   mechanism.bodies.insert(mechanism.bodies.begin() + joint, massless.begin(), massless.end());
   // Replace the hinge by the chain.
   mechanism.joints[body] = chain.front();
@@ -138,9 +134,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
 }
 
 int joint_index(const Mechanism& mechanism, const std::string& name) {
-  std::vector<std::string> names;
-  for (const MechanismJoint& joint : mechanism.joints) names.push_back(joint.name);
-  return static_cast<int>(index_of_name(name, names, "joint"));
+  return static_cast<int>(index_of_name(name, names_of(mechanism.joints), "joint"));
 }
 
 CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
@@ -151,26 +145,22 @@ CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
     const int coordinate = joint_.coordinate[i];
     require(coordinate < static_cast<int>(layout.coordinate_q.size()),
             "joint '{}': there is no coordinate {}", joint_.name, coordinate);
-    q_[i] = coordinate < 0 ? -1 : layout.coordinate_q[static_cast<std::size_t>(coordinate)];
-    v_[i] = coordinate < 0 ? -1 : layout.coordinate_v[static_cast<std::size_t>(coordinate)];
+    q_[i] = coordinate < 0 ? -1 : layout.coordinate_q[coordinate];
+    v_[i] = coordinate < 0 ? -1 : layout.coordinate_v[coordinate];
   }
-}
-
-std::unique_ptr<ForceElement> CapsuleElement::clone() const {
-  return std::make_unique<CapsuleElement>(*this);
 }
 
 BushingVector CapsuleElement::coordinates(const ElementInput& at) const {
   BushingVector x = BushingVector::Zero();
   for (std::size_t i = 0; i < q_.size(); ++i)
-    if (q_[i] >= 0) x[static_cast<Eigen::Index>(i)] = at.q[q_[i]];
+    if (q_[i] >= 0) x[i] = at.q[q_[i]];
   return x;
 }
 
 BushingAction CapsuleElement::action(const ElementInput& at) const {
   BushingVector rate = BushingVector::Zero();
   for (std::size_t i = 0; i < v_.size(); ++i)
-    if (v_[i] >= 0) rate[static_cast<Eigen::Index>(i)] = at.v[v_[i]];
+    if (v_[i] >= 0) rate[i] = at.v[v_[i]];
   return bushing_action(joint_.law, coordinates(at), rate);
 }
 
@@ -179,17 +169,14 @@ bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
   // Add force and slopes of the compliant coordinates.
   for (std::size_t i = 0; i < v_.size(); ++i) {
     if (v_[i] < 0) continue;
-    const auto row = static_cast<Eigen::Index>(i);
-    out.tau[v_[i]] += action.effort[row];
+    out.tau[v_[i]] += action.effort[i];
     for (std::size_t j = 0; j < v_.size(); ++j) {
       if (v_[j] < 0) continue;
-      out.stiffness(v_[i], v_[j]) += action.stiffness(row, static_cast<Eigen::Index>(j));
-      out.damping(v_[i], v_[j]) += action.damping(row, static_cast<Eigen::Index>(j));
+      out.stiffness(v_[i], v_[j]) += action.stiffness(i, j);
+      out.damping(v_[i], v_[j]) += action.damping(i, j);
     }
   }
   return std::abs(coordinates(at)[static_cast<int>(BushingCoordinate::kAbduction)]) < kMaxAbduction;
 }
-
-double CapsuleElement::energy(const ElementInput& at) { return action(at).energy; }
 
 }  // namespace thenar

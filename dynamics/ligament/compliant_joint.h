@@ -55,12 +55,14 @@ class CapsuleElement : public ForceElement {
   /// @param joint      compliant joint, with coordinate indices of that mechanism
   CapsuleElement(const Mechanism& mechanism, CompliantJoint joint);
 
-  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<CapsuleElement>(*this);
+  }
   [[nodiscard]] std::string name() const override { return joint_.name; }
   /// Adds the force of the capsule.
   /// @return false if the abduction exceeds kMaxAbduction
   bool add_action(const ElementInput& at, ElementAction& out) override;
-  [[nodiscard]] double energy(const ElementInput& at) override;
+  [[nodiscard]] double energy(const ElementInput& at) override { return action(at).energy; }
   [[nodiscard]] bool is_passive() const override { return true; }
 
  private:

@@ -107,7 +107,7 @@ class ArticulatedBody {
         body.a_w = link.zeta_w;
         body.a_v = link.zeta_v - gravity;
       } else {
-        const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
+        const Body& parent = bodies_[constant.parent];
         body.a_w = parent.a_w + link.zeta_w;
         body.a_v = parent.a_v + parent.a_w.cross(link.r) + link.zeta_v;
       }
@@ -155,7 +155,7 @@ class ArticulatedBody {
       eliminate_multi_axis(constant, link, body, multi_axis_[body.multi_axis_index], tau);
       if (!passes) return;
     }
-    add_to_parent(link.r, body, bodies_[static_cast<std::size_t>(constant.parent)]);
+    add_to_parent(link.r, body, bodies_[constant.parent]);
   }
 
   template <typename Tau>
@@ -231,7 +231,7 @@ class ArticulatedBody {
     // Start with the acceleration of the parent.
     Vec3<T> a_w = Vec3<T>::Zero(), a_v = a_w;
     if (constant.parent >= 0) {
-      const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
+      const Body& parent = bodies_[constant.parent];
       a_w = parent.a_w;
       a_v = parent.a_v + a_w.cross(link.r);
     }

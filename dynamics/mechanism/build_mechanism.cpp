@@ -1,23 +1,14 @@
 #include "dynamics/mechanism/build_mechanism.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 
 namespace thenar {
 namespace {
-
-/// Returns a frame at a point with z along a direction.
-Pose<double> frame_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& point) {
-  const Tangents sides = tangents(direction);
-  Pose<double> frame;
-  frame.R << sides.e1, sides.e2, direction;
-  frame.p = point;
-  return frame;
-}
 
 /// Returns true if mass and inertia of a link are stated.
 bool is_known(const RobotLink& link) {
@@ -79,17 +70,16 @@ int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
 /// Converts a movable joint of a robot, without its coordinate.
 MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
   // Set frames F and M with z along the axis.
-  const Pose<double> axis = frame_along(joint.axis, Eigen::Vector3d::Zero());
-  MechanismJoint out;
-  out.name = joint.name;
-  out.kind = joint.kind == RobotJointKind::kRevolute ? JointKind::kHinge : JointKind::kSlide;
-  out.parent = parent;
-  out.X_PF = joint.X_PJ * axis;
-  out.X_BM = joint.X_JC.inverse() * axis;
+  const Pose<double> axis = frame_with_z(joint.axis, Eigen::Vector3d::Zero());
+  MechanismJoint out{
+      joint.name, joint.kind == RobotJointKind::kRevolute ? JointKind::kHinge : JointKind::kSlide,
+      parent, joint.X_PJ * axis, joint.X_JC.inverse() * axis};
   // Copy value function, limits and resistance.
-  out.ratio = joint.dof.empty() ? 1 : joint.ratio;
-  out.offset = joint.dof.empty() ? 0 : joint.offset;
-  if (!joint.dof.empty()) out.curve = joint.curve;
+  if (!joint.dof.empty()) {
+    out.ratio = joint.ratio;
+    out.offset = joint.offset;
+    out.curve = joint.curve;
+  }
   out.lower = joint.lower;
   out.upper = joint.upper;
   out.stiffness = joint.stiffness;
@@ -114,13 +104,13 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
     MechanismJoint joint;
     joint.name = skeleton.hinge_names[i];
     joint.parent = hinge.parent;
-    joint.X_PF = joint.X_BM = frame_along(hinge.direction, hinge.point);
+    joint.X_PF = joint.X_BM = frame_with_z(hinge.direction, hinge.point);
     joint.coordinate = hinge.coordinate;
     joint.ratio = hinge.ratio;
     joint.offset = hinge.offset;
     // Copy limits and resistance to the hinge named as its coordinate.
-    if (joint.name == skeleton.coordinate_names[static_cast<std::size_t>(hinge.coordinate)]) {
-      const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
+    if (joint.name == skeleton.coordinate_names[hinge.coordinate]) {
+      const CoordinateLimits& limits = skeleton.limits[hinge.coordinate];
       joint.lower = limits.lower;
       joint.upper = limits.upper;
       joint.stiffness = limits.stiffness;
@@ -148,47 +138,35 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
     out.mechanism.joints.push_back(std::move(joint));
   };
   // Weld the base to the world.
-  MechanismJoint base;
-  base.name = robot.links.front().name + " base";
-  base.kind = JointKind::kWeld;
-  add(robot.links.front(), base);
+  add(robot.links.front(), {robot.links.front().name + " base", JointKind::kWeld});
   // Add each joint with its child: a weld if fixed, otherwise a hinge or slide of its coordinate.
   for (const RobotJoint& joint : robot.joints) {
-    const auto child =
-        std::find_if(robot.links.begin(), robot.links.end(),
-                     [&](const RobotLink& link) { return link.name == joint.child; });
+    const RobotLink& child = *find_named(robot.links, joint.child);
     const int parent = body_of.at(joint.parent);
     if (joint.kind == RobotJointKind::kFixed) {
-      MechanismJoint weld;
-      weld.name = joint.name;
-      weld.kind = JointKind::kWeld;
-      weld.parent = parent;
-      weld.X_PF = joint.X_PJ * joint.X_JC;
-      add(*child, weld);
+      add(child, {joint.name, JointKind::kWeld, parent, joint.X_PJ * joint.X_JC});
       continue;
     }
     MechanismJoint moving = moving_joint(joint, parent);
     moving.coordinate = coordinate_of(robot, joint, coordinate_known, out.mechanism);
-    add(*child, std::move(moving));
+    add(child, std::move(moving));
   }
   return out;
 }
 
 Mechanism body_mechanism(const PlacedBody& placed, const Materials& materials) {
   Mechanism out;
-  MechanismJoint joint;
-  joint.name = placed.body.name;
-  MechanismBody body{placed.body.name, {0, {0, 0, 0}, Eigen::Matrix3d::Zero()}, {}, {}};
+  MechanismJoint joint{placed.body.name, placed.dynamic ? JointKind::kFree : JointKind::kWeld};
+  MechanismBody body;
+  body.name = placed.body.name;
   body.material = placed.body.material;
   if (!placed.body.shapes.empty())
     body.solid = std::make_shared<const Solid>(build_solid(placed.body.shapes));
   // Put a free body on a free joint at its centre of mass, and weld an obstacle to the world.
   if (placed.dynamic) {
     body.mass = body_mass(placed.body, materials);
-    joint.kind = JointKind::kFree;
     joint.X_BM.p = body.mass.com;
   } else {
-    joint.kind = JointKind::kWeld;
     joint.X_PF = placed.X_WB;
   }
   out.joints.push_back(std::move(joint));

@@ -33,7 +33,7 @@ class InverseDynamics {
       body.a_w = link.zeta_w;
       body.a_v = link.zeta_v - gravity;
       if (constant.parent >= 0) {
-        const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
+        const Body& parent = bodies_[constant.parent];
         body.a_w = parent.a_w + link.zeta_w;
         body.a_v = parent.a_v + parent.a_w.cross(link.r) + link.zeta_v;
       }
@@ -48,7 +48,7 @@ class InverseDynamics {
       const TreeLink& constant = constants[i];
       const Body& body = bodies_[i];
       if (constant.parent >= 0) {
-        Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
+        Body& parent = bodies_[constant.parent];
         parent.m += body.m + link.r.cross(body.f);
         parent.f += body.f;
       }
@@ -166,8 +166,7 @@ class MassMatrix {
     // Inward pass: merge everything beyond a joint into one body.
     for (std::size_t i = bodies_.size(); i-- > 0;) {
       if (constants[i].parent >= 0)
-        merge_into_parent(bodies_[i], motion.links()[i].r,
-                          bodies_[static_cast<std::size_t>(constants[i].parent)]);
+        merge_into_parent(bodies_[i], motion.links()[i].r, bodies_[constants[i].parent]);
       add_link_columns(motion, i);
     }
   }
@@ -214,8 +213,8 @@ class MassMatrix {
                        const Vec3<T>& f) {
     int at = first;
     while (at >= 0) {
-      const TreeLink& constant = motion.model().links[static_cast<std::size_t>(at)];
-      const MovingLink<T>& link = motion.links()[static_cast<std::size_t>(at)];
+      const TreeLink& constant = motion.model().links[at];
+      const MovingLink<T>& link = motion.links()[at];
       const bool own = at == first;
       switch (constant.kind) {
         case JointKind::kHinge:
@@ -280,7 +279,7 @@ class MassMatrix {
       const T value = x[at(k)];
       if (value == T(0)) continue;
       const T* row = &L_[k * size_];
-      for (const int i : model.coupled_to[k]) x[i] -= row[static_cast<std::size_t>(i)] * value;
+      for (const int i : model.coupled_to[k]) x[i] -= row[i] * value;
     }
   }
   /// Computes x = L^-1 x.
@@ -288,7 +287,7 @@ class MassMatrix {
   void solve_factor(const TreeModel& model, X& x) const {
     for (std::size_t k = 0; k < size_; ++k) {
       const T* row = &L_[k * size_];
-      for (const int i : model.coupled_to[k]) x[at(k)] -= row[static_cast<std::size_t>(i)] * x[i];
+      for (const int i : model.coupled_to[k]) x[at(k)] -= row[i] * x[i];
     }
   }
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/robot/robot.h"
 
@@ -139,9 +140,13 @@ int append(Mechanism& whole, const Mechanism& part, const std::string& prefix, i
 }
 
 int body_named(const Mechanism& mechanism, const std::string& name) {
-  std::vector<std::string> names;
-  for (const MechanismBody& body : mechanism.bodies) names.push_back(body.name);
-  return static_cast<int>(index_of_name(name, names, "body"));
+  return static_cast<int>(index_of_name(name, names_of(mechanism.bodies), "body"));
+}
+
+int carrier_by_welds(const Mechanism& mechanism, int body) {
+  while (body >= 0 && mechanism.joints[body].kind == JointKind::kWeld)
+    body = mechanism.joints[body].parent;
+  return body;
 }
 
 }  // namespace thenar

@@ -35,15 +35,15 @@ namespace thenar {
 struct MechanismJoint {
   std::string name;
   JointKind kind = JointKind::kHinge;
-  int parent = -1;    // parent body; -1: the world
-  Pose<double> X_PF;  // frame F in the parent's frame
-  Pose<double> X_BM;  // frame M in the body's frame
+  int parent = -1;      // parent body; -1: the world
+  Pose<double> X_PF{};  // frame F in the parent's frame
+  Pose<double> X_BM{};  // frame M in the body's frame
 
   // Hinges and slides only.
-  int coordinate = -1;        // index in Mechanism::coordinates
-  double ratio = 1;           // linear term of the value [1], [m/rad] or [rad/m]
-  double offset = 0;          // constant term of the value [rad] or [m]
-  std::vector<double> curve;  // higher terms of the value; empty: linear
+  int coordinate = -1;          // index in Mechanism::coordinates
+  double ratio = 1;             // linear term of the value [1], [m/rad] or [rad/m]
+  double offset = 0;            // constant term of the value [rad] or [m]
+  std::vector<double> curve{};  // higher terms of the value; empty: linear
   double lower = -std::numeric_limits<double>::infinity();  // lower limit of the value [rad] or [m]
   double upper = std::numeric_limits<double>::infinity();   // upper limit of the value [rad] or [m]
   double stiffness = 0;  // stiffness of a spring to `rest` [N m/rad] or [N/m]
@@ -53,6 +53,11 @@ struct MechanismJoint {
 };
 
 /// Rigid body.
+/// Returns true if a joint is a hinge or slide that a coordinate moves.
+[[nodiscard]] inline bool is_moved_by(const MechanismJoint& joint, int coordinate) {
+  return is_scalar(joint.kind) && joint.coordinate == coordinate;
+}
+
 struct MechanismBody {
   std::string name;
   BodyMass mass{0, {0, 0, 0}, Eigen::Matrix3d::Zero()};  // mass and inertia, body's frame
@@ -135,5 +140,8 @@ int append(Mechanism& whole, const Mechanism& part, const std::string& prefix = 
 
 /// Returns the index of a body. @throws InputError with the nearest name if there is none.
 [[nodiscard]] int body_named(const Mechanism& mechanism, const std::string& name);
+
+/// Returns the first body, towards the world, that is not welded to its parent; -1: the world.
+[[nodiscard]] int carrier_by_welds(const Mechanism& mechanism, int body);
 
 }  // namespace thenar

@@ -113,7 +113,7 @@ struct SimbodyMechanism::Parts {
     }
     // Make the first joint that follows its coordinate linearly the leader.
     if (!is_scalar(joint.kind)) return;
-    int& lead = leader[static_cast<std::size_t>(joint.coordinate)];
+    int& lead = leader[joint.coordinate];
     if (lead < 0 && joint.curve.empty() && joint.ratio != 0) lead = static_cast<int>(i);
   }
 
@@ -121,16 +121,16 @@ struct SimbodyMechanism::Parts {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) return;
     // Couple other joints to the leader by a constraint.
-    const int lead = leader[static_cast<std::size_t>(joint.coordinate)];
+    const int lead = leader[joint.coordinate];
     require(lead >= 0, "no joint follows the coordinate '{}' linearly",
-            mechanism.coordinates[static_cast<std::size_t>(joint.coordinate)].name);
+            mechanism.coordinates[joint.coordinate].name);
     if (lead == static_cast<int>(i)) return;
     const SimTK::Array_<SimTK::MobilizedBodyIndex> bodies{index_of(lead),
                                                           index_of(static_cast<int>(i))};
     const SimTK::Array_<SimTK::MobilizerQIndex> values(2, SimTK::MobilizerQIndex(0));
-    SimTK::Constraint::CoordinateCoupler(
-        matter, new CouplingError(mechanism.joints[static_cast<std::size_t>(lead)], joint), bodies,
-        values);  // takes ownership of the function
+    SimTK::Constraint::CoordinateCoupler(matter, new CouplingError(mechanism.joints[lead], joint),
+                                         bodies,
+                                         values);  // takes ownership of the function
   }
 
   [[nodiscard]] const SimTK::MobilizedBody& body(std::size_t i) const {
@@ -156,9 +156,7 @@ SimTK::MultibodySystem& SimbodyMechanism::system() const { return parts_->system
 SimTK::SimbodyMatterSubsystem& SimbodyMechanism::matter() const { return parts_->matter; }
 const Mechanism& SimbodyMechanism::mechanism() const { return parts_->mechanism; }
 const MechanismLayout& SimbodyMechanism::layout() const { return parts_->layout; }
-int SimbodyMechanism::leader(int coordinate) const {
-  return parts_->leader[static_cast<std::size_t>(coordinate)];
-}
+int SimbodyMechanism::leader(int coordinate) const { return parts_->leader[coordinate]; }
 
 void SimbodyMechanism::write_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                    SimTK::State& state) const {
@@ -229,7 +227,7 @@ Eigen::MatrixXd SimbodyMechanism::speed_map(const SimTK::State& state) const {
     const int row = parts_->body(i).getFirstUIndex(state);
     const MechanismJoint& joint = parts_->mechanism.joints[i];
     if (is_scalar(joint.kind)) {
-      const auto lead = static_cast<std::size_t>(leader(joint.coordinate));
+      const int lead = leader(joint.coordinate);
       const MechanismJoint& linear = parts_->mechanism.joints[lead];
       const double u = (parts_->body(lead).getOneQ(state, 0) - linear.offset) / linear.ratio;
       N(row, parts_->layout.first_v[i]) = joint_value(joint, u).slope;

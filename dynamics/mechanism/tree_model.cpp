@@ -30,8 +30,7 @@ void order_by_depth(TreeModel& model) {
   const std::size_t n = model.links.size();
   std::vector<int> depth(n, 0);
   for (std::size_t i = 0; i < n; ++i)
-    if (model.links[i].parent >= 0)
-      depth[i] = depth[static_cast<std::size_t>(model.links[i].parent)] + 1;
+    if (model.links[i].parent >= 0) depth[i] = depth[model.links[i].parent] + 1;
   std::vector<std::size_t> old_of(n);
   std::iota(old_of.begin(), old_of.end(), std::size_t{0});
   std::stable_sort(old_of.begin(), old_of.end(),
@@ -45,7 +44,7 @@ void order_by_depth(TreeModel& model) {
   }
   // Update all indices of links.
   const auto renumber = [&](int& link) {
-    if (link >= 0) link = new_of[static_cast<std::size_t>(link)];
+    if (link >= 0) link = new_of[link];
   };
   for (TreeLink& link : ordered) renumber(link.parent);
   for (BodyInLink& body : model.bodies) renumber(body.link);
@@ -60,12 +59,11 @@ void check_masses(const TreeModel& model) {
   for (std::size_t i = model.links.size(); i-- > 0;) {
     const TreeLink& link = model.links[i];
     carries[i] = carries[i] || link.mass > 0 || !link.inertia.isZero(0);
-    if (carries[i] && link.parent >= 0) carries[static_cast<std::size_t>(link.parent)] = true;
-    if (carries[i]) moves[static_cast<std::size_t>(link.first_v)] = true;
+    if (carries[i] && link.parent >= 0) carries[link.parent] = true;
+    if (carries[i]) moves[link.first_v] = true;
   }
   for (const TreeLink& link : model.links)
-    require(moves[static_cast<std::size_t>(link.first_v)], "joint '{}' moves nothing that has mass",
-            link.joint.name);
+    require(moves[link.first_v], "joint '{}' moves nothing that has mass", link.joint.name);
 }
 
 /// Computes the sparsity pattern of the factor L' D L, eliminated from the last velocity: two
@@ -79,18 +77,18 @@ std::vector<std::vector<int>> factor_structure(const TreeModel& model) {
     while (true) {
       for (int k = 0; k < speed_count(at->kind); ++k) movers.push_back(at->first_v + k);
       if (at->parent < 0) break;
-      at = &model.links[static_cast<std::size_t>(at->parent)];
+      at = &model.links[at->parent];
     }
     // Couple each pair of them.
     for (const int a : movers)
       for (const int b : movers)
-        if (b < a) lower[static_cast<std::size_t>(a)].insert(b);
+        if (b < a) lower[a].insert(b);
   }
   // Add the fill-in of the elimination.
   for (std::size_t k = lower.size(); k-- > 0;)
     for (const int i : lower[k])
       for (const int j : lower[k])
-        if (j < i) lower[static_cast<std::size_t>(i)].insert(j);
+        if (j < i) lower[i].insert(j);
   std::vector<std::vector<int>> out;
   for (const std::set<int>& row : lower) out.emplace_back(row.begin(), row.end());
   return out;
@@ -107,8 +105,7 @@ TreeModel tree_model(const Mechanism& mechanism) {
   // Create a link for each movable joint; welded bodies join their parent's link.
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
-    const BodyInLink parent =
-        joint.parent < 0 ? BodyInLink{} : model.bodies[static_cast<std::size_t>(joint.parent)];
+    const BodyInLink parent = joint.parent < 0 ? BodyInLink{} : model.bodies[joint.parent];
     const Pose<double> X_PF = parent.X_LB * joint.X_PF;
     if (joint.kind == JointKind::kWeld) {
       model.bodies.push_back({parent.link, X_PF * joint.X_BM.inverse()});
@@ -120,15 +117,13 @@ TreeModel tree_model(const Mechanism& mechanism) {
       link.first_v = model.layout.first_v[i];
       link.X_PF = X_PF;
       link.joint = joint;
-      if (is_scalar(joint.kind)) ++used[static_cast<std::size_t>(joint.coordinate)];
+      if (is_scalar(joint.kind)) ++used[joint.coordinate];
       model.bodies.push_back({static_cast<int>(model.links.size()), joint.X_BM.inverse()});
       model.links.push_back(std::move(link));
     }
     // Add the body's mass to its link.
     const BodyInLink& body = model.bodies.back();
-    if (body.link >= 0)
-      add_mass(model.links[static_cast<std::size_t>(body.link)], mechanism.bodies[i].mass,
-               body.X_LB);
+    if (body.link >= 0) add_mass(model.links[body.link], mechanism.bodies[i].mass, body.X_LB);
   }
 
   order_by_depth(model);
@@ -136,7 +131,7 @@ TreeModel tree_model(const Mechanism& mechanism) {
   // Mark links that share a coordinate.
   for (TreeLink& link : model.links) {
     if (!is_scalar(link.kind)) continue;
-    link.shares_coordinate = used[static_cast<std::size_t>(link.joint.coordinate)] > 1;
+    link.shares_coordinate = used[link.joint.coordinate] > 1;
     model.has_couplings = model.has_couplings || link.shares_coordinate;
   }
   check_masses(model);

@@ -54,7 +54,7 @@ class TreeMotion {
   /// @param p  point of application [m] (3);  @param f  [N] (3);  @param m  [N m] (3)
   void add_load(int link, const Vec3<T>& p, const Vec3<T>& f, const Vec3<T>& m) {
     if (link < 0) return;
-    MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    MovingLink<T>& at = links_[link];
     at.load_m += m + (p - at.o).cross(f);
     at.load_f += f;
   }
@@ -63,16 +63,14 @@ class TreeMotion {
   [[nodiscard]] const std::vector<MovingLink<T>>& links() const { return links_; }
 
   /// Returns the link of a body of the mechanism; -1: the world. @param body  -1: the world
-  [[nodiscard]] int link_of(int body) const {
-    return body < 0 ? -1 : model_->bodies[static_cast<std::size_t>(body)].link;
-  }
+  [[nodiscard]] int link_of(int body) const { return body < 0 ? -1 : model_->bodies[body].link; }
 
   /// Returns the pose of a body of the mechanism in the world.
   [[nodiscard]] Pose<T> pose(int body) const {
-    const BodyInLink& at = model_->bodies[static_cast<std::size_t>(body)];
+    const BodyInLink& at = model_->bodies[body];
     const Pose<T> X_LB{at.X_LB.R.template cast<T>(), at.X_LB.p.template cast<T>()};
     if (at.link < 0) return X_LB;
-    const MovingLink<T>& link = links_[static_cast<std::size_t>(at.link)];
+    const MovingLink<T>& link = links_[at.link];
     return Pose<T>{link.R, link.o} * X_LB;
   }
 
@@ -80,7 +78,7 @@ class TreeMotion {
   /// @param link  -1: the world;  @param p  point, world [m] (3)
   [[nodiscard]] Vec3<T> velocity(int link, const Vec3<T>& p) const {
     if (link < 0) return Vec3<T>::Zero();
-    const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    const MovingLink<T>& at = links_[link];
     return at.vel + at.w.cross(p - at.o);
   }
 
@@ -164,7 +162,7 @@ void TreeMotion<T>::set_position(const Q& q) {
       link.E = constant.X_PF.R.template cast<T>();
       link.o = link.r = constant.X_PF.p.template cast<T>();
     } else {
-      const MovingLink<T>& parent = links_[static_cast<std::size_t>(constant.parent)];
+      const MovingLink<T>& parent = links_[constant.parent];
       link.E.noalias() = parent.R * constant.X_PF.R.template cast<T>();
       link.r.noalias() = parent.R * constant.X_PF.p.template cast<T>();
       link.o = parent.o + link.r;
@@ -216,7 +214,7 @@ void TreeMotion<T>::set_speed(const V& v) {
     Vec3<T> base = Vec3<T>::Zero();
     link.vel = link.zeta_v = base;
     if (constant.parent >= 0) {
-      const MovingLink<T>& parent = links_[static_cast<std::size_t>(constant.parent)];
+      const MovingLink<T>& parent = links_[constant.parent];
       base = parent.w;
       const Vec3<T> turned = base.cross(link.r);
       link.vel = parent.vel + turned;
@@ -263,8 +261,8 @@ template <typename Row>
 void TreeMotion<T>::add_jacobian_row(int link, const Vec3<T>& p, const Vec3<T>& direction,
                                      const Vec3<T>& spin, Row&& row) const {
   while (link >= 0) {
-    const TreeLink& constant = model_->links[static_cast<std::size_t>(link)];
-    const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    const TreeLink& constant = model_->links[link];
+    const MovingLink<T>& at = links_[link];
     // Shift the wrench to the joint's origin, and project it on the joint's axes.
     internal::add_along_axes<T>(constant, at, (p - at.o).cross(direction) + spin, direction, row);
     link = constant.parent;

@@ -76,7 +76,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - accepted_.t));
   const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
   for (Eigen::Index k = 0; k < 6; ++k) {
-    const ExponentialMemory& memory = accepted_.memory[static_cast<std::size_t>(k)];
+    const ExponentialMemory& memory = accepted_.memory[k];
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
   out.stiffness_ratio = weights.now;
@@ -270,7 +270,7 @@ void PadElement::update_memory(double seconds) {
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
   const Vector6 push = six_of(kept_.contact.push);
   for (Eigen::Index k = 0; k < 6 && kept_.contact.force > 0; ++k) {
-    ExponentialMemory& memory = kept_.memory[static_cast<std::size_t>(k)];
+    ExponentialMemory& memory = kept_.memory[k];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);
   }
   accepted_.memory = kept_.memory;
@@ -282,8 +282,7 @@ PadElement::PushMemory PadElement::memory_at(double t, const Pose<double>& X_PO)
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - accepted_.t));
   const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
   PushMemory out = accepted_.memory;
-  for (std::size_t k = 0; k < 6; ++k)
-    (void)remember(weights, out[k].x + more[static_cast<Eigen::Index>(k)], out[k]);
+  for (std::size_t k = 0; k < 6; ++k) (void)remember(weights, out[k].x + more[k], out[k]);
   return out;
 }
 
@@ -301,7 +300,7 @@ double PadElement::energy(const ElementInput& at) {
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const PushMemory memory = memory_at(at.t, X_PO);
   Vector6 push;
-  for (std::size_t k = 0; k < 6; ++k) push[static_cast<Eigen::Index>(k)] = memory[k].x;
+  for (std::size_t k = 0; k < 6; ++k) push[k] = memory[k].x;
   const double work = (push - 0.5 * stiffness_ * motion).dot(motion);
   // Remaining share of the elastic energy:  1 - sum g_i + sum part_i^2 / g_i.
   const Vector3d force = push.tail<3>();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/toml_node.h"
 #include "dynamics/scene/scene_compliance.h"
 #include "dynamics/scene/scene_drives.h"
@@ -30,9 +31,7 @@ class SceneAssembler {
     for (const CompliantJoint& joint : compliant_)
       built_.scene.elements.push_back(
           std::make_shared<CapsuleElement>(built_.scene.mechanism, joint));
-    for (const std::shared_ptr<const ForceElement>& ligament :
-         build_scene_ligaments(spec_, built_.scene.mechanism, X_WB_))
-      built_.scene.elements.push_back(ligament);
+    append_all(built_.scene.elements, build_scene_ligaments(spec_, built_.scene.mechanism, X_WB_));
     add_human_elements(spec_, made.humans, built_);
     exclude_web_contacts(made.humans, built_);
     // Add loads, drives and options, and check the scene before pads and pairs are added.
@@ -81,7 +80,7 @@ class SceneAssembler {
     if (!part.joint.parent.empty()) {
       carrier = at_line(spec_.path, part.joint.line,
                         [&] { return body_named(whole, part.joint.parent); });
-      X_CW = X_WB_[static_cast<std::size_t>(carrier)].inverse();
+      X_CW = X_WB_[carrier].inverse();
     }
     // Shift the coordinate indices of compliant joints by those of earlier parts.
     for (CompliantJoint joint : part.compliant) {
@@ -120,10 +119,9 @@ class SceneAssembler {
   /// Sets the initial pose and velocity of a free body.
   void set_free(int body, const SceneVelocity& velocity) {
     MovingScene& scene = built_.scene;
-    const auto at = static_cast<std::size_t>(body);
-    set_free_pose(scene.mechanism, body, X_WB_[at], scene.q);
+    set_free_pose(scene.mechanism, body, X_WB_[body], scene.q);
     // Convert the velocity of the centre of mass to that of the body's origin.
-    const Eigen::Vector3d arm = X_WB_[at].R * scene.mechanism.bodies[at].mass.com;
+    const Eigen::Vector3d arm = X_WB_[body].R * scene.mechanism.bodies[body].mass.com;
     set_free_velocity(scene.mechanism, body, scene.q, velocity.linear - velocity.angular.cross(arm),
                       velocity.angular, scene.v);
   }

@@ -26,17 +26,16 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
   bool warned = false;
   // Evaluate the instants in order, because a net is warm-started from the one before.
   for (Eigen::Index i = 0; i < instants; ++i) {
-    const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];
+    const SceneSample& sample = run.samples[i];
     const ElementInput at{sample.t, sample.t, sample.q, sample.v, sample.z, motion, first_z};
     pull.accept_step(at);
     const PullState now = pull.state_at(at);
     for (std::size_t m = 0; m < pull.muscles().size(); ++m) {
-      const auto k = static_cast<Eigen::Index>(m);
       PullMeasure& muscle = out.muscles[first + m];
-      muscle.tension[i] = now.tension[k];
-      muscle.excitation[i] = now.excitation[k];
-      muscle.activation[i] = now.activation[k];
-      muscle.excursion[i] = now.excursion[k];
+      muscle.tension[i] = now.tension[m];
+      muscle.excitation[i] = now.excitation[m];
+      muscle.activation[i] = now.activation[m];
+      muscle.excursion[i] = now.excursion[m];
     }
     // Keep the first warning of the run.
     if (warned || now.warning.empty()) continue;

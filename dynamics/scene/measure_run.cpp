@@ -54,8 +54,7 @@ void add_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasu
 double drive_work_within(const SceneDrive& drive, const MechanismLayout& layout,
                          const SceneSample& from, const SceneSample& to, double begin, double end) {
   // Coefficients of the cubic.
-  const auto c = static_cast<std::size_t>(drive.coordinate);
-  const int q = layout.coordinate_q[c], v = layout.coordinate_v[c];
+  const int q = layout.coordinate_q[drive.coordinate], v = layout.coordinate_v[drive.coordinate];
   const double span = to.t - from.t, mean_rate = (to.q[q] - from.q[q]) / span;
   const double cubic = from.v[v] + to.v[v] - 2 * mean_rate;
   const double quadratic = 3 * mean_rate - 2 * from.v[v] - to.v[v];
@@ -100,7 +99,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
   // Work of forces by the displacement of their points, of moments by the rotation.
   for (const SceneForce& force : scene.forces) {
     if (!force.when.holds(middle)) continue;
-    const auto i = static_cast<std::size_t>(force.body);
+    const int i = force.body;
     const Eigen::AngleAxisd turn(X_to[i].R * X_from[i].R.transpose());
     work += force.force.dot(X_to[i] * force.point - X_from[i] * force.point) +
             force.moment.dot(turn.angle() * turn.axis());
@@ -116,13 +115,8 @@ SceneSample with_contacts(const SceneSample& sample, ContactStep& step) {
   step.find_contacts({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
   SceneSample out = sample;
   for (const ActiveContact& contact : found) {
-    if (contact.kind != ActiveContact::Kind::kContact) continue;
-    out.contacts.emplace_back();
-    out.contacts.back().a = contact.a;
-    out.contacts.back().b = contact.b;
-    out.contacts.back().id = contact.id;
-    out.contacts.back().point = contact.point;
-    out.contacts.back().normal = contact.normal;
+    if (contact.kind == ActiveContact::Kind::kContact)
+      out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal});
   }
   return out;
 }
@@ -162,7 +156,7 @@ std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const Tre
     const int link = model.bodies[i].link;
     if (link < 0) continue;
     const Eigen::Vector3d centre = motion.pose(static_cast<int>(i)) * mechanism.bodies[i].mass.com;
-    out[i] = {motion.velocity(link, centre), motion.links()[static_cast<std::size_t>(link)].w};
+    out[i] = {motion.velocity(link, centre), motion.links()[link].w};
   }
   return out;
 }

@@ -34,7 +34,7 @@ std::vector<PadState> pad_angles(const SceneRun& run, const RunMeasures& measure
             "there are no bodies {} and {}, there are {}", body, other, bodies);
     const Eigen::Vector3d force = pressing_force(run.samples[i], body, other);
     if (force.isZero(0)) continue;
-    const Eigen::Vector3d pad = measures.X_WB[i][static_cast<std::size_t>(body)].R * outward;
+    const Eigen::Vector3d pad = measures.X_WB[i][body].R * outward;
     out.push_back({run.samples[i].t, force.norm(),
                    std::acos(std::clamp(pad.dot(force.normalized()), -1.0, 1.0))});
   }

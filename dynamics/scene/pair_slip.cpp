@@ -16,18 +16,6 @@ Vector3d tangential(const Vector3d& v, const Vector3d& normal) {
   return v - v.dot(normal) * normal;
 }
 
-}  // namespace
-
-double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
-  const auto velocity = [&](int body) -> Vector3d {
-    const auto i = static_cast<std::size_t>(body);
-    return at.velocity[i].linear + at.velocity[i].angular.cross(contact.point - at.centre[i]);
-  };
-  return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
-}
-
-namespace {
-
 /// Path of one contact over both of its bodies between two instants.
 class ContactPath {
  public:
@@ -69,8 +57,7 @@ class ContactPath {
  private:
   /// Returns the motion of a body between the instants, in the world.
   [[nodiscard]] Pose<double> moved(int body) const {
-    const auto i = static_cast<std::size_t>(body);
-    return to_.X_WB[i] * from_.X_WB[i].inverse();
+    return to_.X_WB[body] * from_.X_WB[body].inverse();
   }
 
   /// Returns the rotation of the contact normal relative to a body with this motion [rad].
@@ -95,9 +82,7 @@ class ContactPath {
 
   /// Returns the relative angular speed of the bodies [rad/s].
   [[nodiscard]] double relative_spin(const SlipInstant& at) const {
-    return (at.velocity[static_cast<std::size_t>(contact_.a)].angular -
-            at.velocity[static_cast<std::size_t>(contact_.b)].angular)
-        .norm();
+    return (at.velocity[contact_.a].angular - at.velocity[contact_.b].angular).norm();
   }
 
   const ContactSample& contact_;
@@ -107,6 +92,14 @@ class ContactPath {
 };
 
 }  // namespace
+
+double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
+  const auto velocity = [&](int body) -> Vector3d {
+    return at.velocity[body].linear +
+           at.velocity[body].angular.cross(contact.point - at.centre[body]);
+  };
+  return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
+}
 
 std::map<std::pair<int, int>, double> slips_between(const SlipInstant& from,
                                                     const SlipInstant& to) {

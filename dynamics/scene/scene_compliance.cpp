@@ -49,14 +49,11 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
     law.laws[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
                    spec.stiffening, spec.damping[i]};
   // Express the frame in both bodies.
-  const Tangents sides = tangents(spec.axis);
-  Pose<double> X_WA;
-  X_WA.R << sides.e1, sides.e2, spec.axis;
-  X_WA.p = spec.point;
+  const Pose<double> X_WA = frame_with_z(spec.axis, spec.point);
   const auto frame_in = [&](const std::string& name) -> BodyFrame {
     if (name.empty()) return {-1, X_WA};
     const int body = body_named(mechanism, name);
-    return {body, X_WB[static_cast<std::size_t>(body)].inverse() * X_WA};
+    return {body, X_WB[body].inverse() * X_WA};
   };
   return std::make_shared<BushingElement>(spec.name, frame_in(spec.from), frame_in(spec.to), law);
 }
@@ -66,18 +63,17 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
 std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
-  for (const SceneBushingSpec& bushing : spec.bushings) {
+  for (const SceneBushingSpec& bushing : spec.bushings)
     at_line(spec.path, bushing.line,
             [&] { out.push_back(bushing_element(bushing, mechanism, X_WB)); });
-  }
-  for (const SceneLigamentSpec& ligament : spec.ligaments) {
+  for (const SceneLigamentSpec& ligament : spec.ligaments)
     at_line(spec.path, ligament.line, [&] {
       // Points of both ends, and by default the initial distance as slack length.
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
       if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
       to.body = body_named(mechanism, ligament.to);
       const auto world_point = [&](const BodyPoint& end) -> Eigen::Vector3d {
-        return end.body < 0 ? end.p : X_WB[static_cast<std::size_t>(end.body)] * end.p;
+        return end.body < 0 ? end.p : X_WB[end.body] * end.p;
       };
       const double slack =
           ligament.slack_length.value_or((world_point(to) - world_point(from)).norm());
@@ -85,7 +81,6 @@ std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
           ligament.name, from, to,
           LigamentLaw{slack, ligament.stiffness, ligament.toe_strain, ligament.damping}));
     });
-  }
   return out;
 }
 

@@ -1,12 +1,12 @@
 #include "dynamics/scene/scene_drives.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/outside_path.h"
 #include "data/io/toml_node.h"
@@ -42,48 +42,40 @@ void set_compliance(const SceneSpec& spec, ContactCompliance& out) {
 
 void add_forces(const SceneSpec& spec, BuiltScene& built) {
   for (const SceneForceSpec& force : spec.forces) {
-    SceneForce out;
-    out.body = at_line(spec.path, force.line,
-                       [&] { return body_named(built.scene.mechanism, force.body); });
-    const MechanismBody& body = built.scene.mechanism.bodies[static_cast<std::size_t>(out.body)];
-    out.point = force.point.value_or(body.mass.com);
-    out.force = force.force;
-    out.moment = force.moment;
-    out.when = {force.from, force.to};
-    built.scene.forces.push_back(out);
+    const int body = at_line(spec.path, force.line,
+                             [&] { return body_named(built.scene.mechanism, force.body); });
+    const Eigen::Vector3d& com = built.scene.mechanism.bodies[body].mass.com;
+    built.scene.forces.push_back(
+        {body, force.point.value_or(com), force.force, force.moment, {force.from, force.to}});
     built.force_names.push_back(force.name);
   }
 }
 
 void add_drives(const SceneSpec& spec, BuiltScene& built) {
   const Mechanism& mechanism = built.scene.mechanism;
-  std::vector<std::string> names;
-  for (const MechanismCoordinate& coordinate : mechanism.coordinates)
-    names.push_back(coordinate.name);
+  const std::vector<std::string> names = names_of(mechanism.coordinates);
   for (const SceneDriveSpec& drive : spec.drives) {
     SceneDrive out;
     out.coordinate = at_line(spec.path, drive.line, [&] {
       return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
     });
     // Check that the units of the drive fit the kind of its joint.
-    const auto joint = std::find_if(
-        mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& each) {
-          return is_scalar(each.kind) && each.coordinate == out.coordinate;
-        });
+    const auto joint =
+        std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                     [&](const MechanismJoint& each) { return is_moved_by(each, out.coordinate); });
     const bool turns = joint->kind == JointKind::kHinge;
     if (turns != drive.turns)
       throw DataError(spec.path, drive.line,
                       fmt::format("'{}' {}, but the drive has units of what {}", drive.coordinate,
                                   turns ? "turns" : "slides", turns ? "slides" : "turns"));
     // Copy the drive; its largest effort is by default that of the motor.
-    const double known = mechanism.coordinates[static_cast<std::size_t>(out.coordinate)].max_effort;
+    const double known = mechanism.coordinates[out.coordinate].max_effort;
     out.bias = drive.effort;
     out.stiffness = drive.stiffness;
     out.damping = drive.damping;
     out.target = drive.target;
     out.speed = drive.speed;
-    out.max_effort =
-        drive.max_effort.value_or(known > 0 ? known : std::numeric_limits<double>::infinity());
+    out.max_effort = drive.max_effort.value_or(known > 0 ? known : kInfinity);
     out.when = {drive.from, drive.to};
     out.table = read_target_table(spec, drive);
     built.scene.drives.push_back(out);

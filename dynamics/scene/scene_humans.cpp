@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/outside_path.h"
 #include "base/rung_names.h"
@@ -33,7 +34,7 @@ std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   std::vector<std::string> names;
   for (const HumanDigit& digit : hand.digits)
     for (const std::string& name : digit.tendons->digit().names.muscles)
-      if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
+      if (!contains(names, name)) names.push_back(name);
   return names;
 }
 
@@ -52,7 +53,7 @@ std::vector<MuscleDrive> drives_of(const SceneMuscleSpec& spec, const SceneSpec&
   // Columns of a table; muscles that are 0 throughout are not driven.
   if (spec.file.empty()) return out;
   const std::string path = linked_path(scene.folder, spec.file);
-  const double max_value = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
+  const double max_value = spec.tensions ? kInfinity : 1;
   const Excitation table = parse_excitation(read_text_file(path), path, names, max_value);
   for (std::size_t m = 0; m < names.size(); ++m) {
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(m));
@@ -156,7 +157,7 @@ class HandPullBuilder {
   void warn_of_tensions() {
     for (const std::string& name : names_) {
       // Largest prescribed tension, and largest force of the muscle.
-      double max_tension = 0, max_force = std::numeric_limits<double>::infinity();
+      double max_tension = 0, max_force = kInfinity;
       for (const MuscleDrive& each : tensions_)
         if (each.muscle == name)
           max_tension = std::max(max_tension, each.schedule.value.maxCoeff());
@@ -178,10 +179,10 @@ class HandPullBuilder {
                                                   int last = std::numeric_limits<int>::max()) {
     std::vector<MuscleSchedule> out;
     for (const MuscleDrive& each : given) {
-      const auto at = std::find(muscles.begin(), muscles.end(), each.muscle);
-      if (at == muscles.end() || each.line > last) continue;
+      const int muscle = place_in(muscles, each.muscle);
+      if (muscle < 0 || each.line > last) continue;
       out.push_back(each.schedule);
-      out.back().muscle = static_cast<int>(at - muscles.begin());
+      out.back().muscle = muscle;
     }
     return out;
   }
@@ -191,7 +192,7 @@ class HandPullBuilder {
     std::set<int> lines;
     for (const std::vector<MuscleDrive>* given : {&excitations_, &tensions_})
       for (const MuscleDrive& each : *given)
-        if (std::count(muscles.begin(), muscles.end(), each.muscle) > 0) lines.insert(each.line);
+        if (contains(muscles, each.muscle)) lines.insert(each.line);
     return lines;
   }
 
@@ -217,8 +218,7 @@ class HandPullBuilder {
   }
 
   static bool is_driven_by(const std::vector<MuscleDrive>& given, const std::string& muscle) {
-    return std::any_of(given.begin(), given.end(),
-                       [&](const MuscleDrive& each) { return each.muscle == muscle; });
+    return any_of(given, [&](const MuscleDrive& each) { return each.muscle == muscle; });
   }
 
   /// Returns the groups of digits that need a common pull, see contracting_groups().
@@ -231,16 +231,14 @@ class HandPullBuilder {
       muscles.emplace_back();
       for (const std::string& name : names)
         if (!is_driven_by(tensions_, name)) muscles.back().push_back(name);
-      excited.push_back(std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-        return is_driven_by(excitations_, name);
-      }));
+      excited.push_back(
+          any_of(names, [&](const std::string& name) { return is_driven_by(excitations_, name); }));
     }
     // Group the digits that share a contracting muscle.
     std::vector<std::vector<const HumanDigit*>> digit_groups;
     for (const std::vector<int>& members : contracting_groups(muscles, excited)) {
       digit_groups.emplace_back();
-      for (const int i : members)
-        digit_groups.back().push_back(&human_.hand.digits[static_cast<std::size_t>(i)]);
+      for (const int i : members) digit_groups.back().push_back(&human_.hand.digits[i]);
     }
     return digit_groups;
   }
@@ -263,9 +261,8 @@ class HandPullBuilder {
     // Excited muscles need a contraction model; errors name the first line that excites one.
     if (!model.excitations.empty()) {
       const auto excited =
-          std::find_if(excitations_.begin(), excitations_.end(), [&](const MuscleDrive& each) {
-            return std::count(muscles.begin(), muscles.end(), each.muscle) > 0;
-          });
+          std::find_if(excitations_.begin(), excitations_.end(),
+                       [&](const MuscleDrive& each) { return contains(muscles, each.muscle); });
       try {
         model.contraction =
             contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : default_rung(group));
@@ -286,26 +283,24 @@ class HandPullBuilder {
 };
 
 bool has_torsion_radius(const SceneSpec& spec) {
-  return std::any_of(spec.frictions.begin(), spec.frictions.end(),
-                     [](const SceneFrictionSpec& friction) { return friction.torsion_radius; });
+  return any_of(spec.frictions, [](const SceneFrictionSpec& friction) {
+    return friction.torsion_radius.has_value();
+  });
 }
 
 bool has_drive(const SceneSpec& spec, const std::string& hand) {
-  return std::any_of(spec.drives.begin(), spec.drives.end(), [&](const SceneDriveSpec& drive) {
+  return any_of(spec.drives, [&](const SceneDriveSpec& drive) {
     return drive.coordinate.compare(0, hand.size() + 1, hand + "/") == 0;
   });
 }
 
 /// Returns the body with a surface that carries a body by a joint; -1: none.
 int carrier_of(const Mechanism& mechanism, int body) {
-  const auto joint_of = [&](int i) -> const MechanismJoint& {
-    return mechanism.joints[static_cast<std::size_t>(i)];
-  };
   // Skip welds up to the joint, then bodies without a surface.
-  while (body >= 0 && joint_of(body).kind == JointKind::kWeld) body = joint_of(body).parent;
-  int carrier = body >= 0 ? joint_of(body).parent : -1;
-  while (carrier >= 0 && !mechanism.bodies[static_cast<std::size_t>(carrier)].solid)
-    carrier = joint_of(carrier).parent;
+  body = carrier_by_welds(mechanism, body);
+  int carrier = body >= 0 ? mechanism.joints[body].parent : -1;
+  while (carrier >= 0 && !mechanism.bodies[carrier].solid)
+    carrier = mechanism.joints[carrier].parent;
   return carrier;
 }
 
@@ -331,8 +326,7 @@ void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& hu
                         BuiltScene& built) {
   // Refuse muscles of robots.
   for (const SceneMuscleSpec& each : spec.muscles)
-    if (std::none_of(humans.begin(), humans.end(),
-                     [&](const SceneHuman& human) { return human.name == each.hand; }))
+    if (find_named(humans, each.hand) == nullptr)
       throw DataError(spec.path, each.line,
                       fmt::format("hand '{}' is a robot: it has no muscles", each.hand));
   // Add joint stops and pulls, and warn of motions that nothing resists or drives.
@@ -358,7 +352,7 @@ void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& bui
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
       if (built.owner[i] != human.name || !mechanism.bodies[i].solid) continue;
       const int carrier = carrier_of(mechanism, static_cast<int>(i));
-      if (carrier < 0 || built.owner[static_cast<std::size_t>(carrier)] != human.name) continue;
+      if (carrier < 0 || built.owner[carrier] != human.name) continue;
       // Exclude contacts with all earlier links on the same carrier.
       for (const auto& [other, link] : roots)
         if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));

@@ -64,22 +64,12 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
       pad.on));
 }
 
-/// Returns the first body, towards the world, that is not welded to its parent; -1: the world.
-int carrier_by_welds(const Mechanism& mechanism, int body) {
-  while (body >= 0) {
-    const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
-    if (joint.kind != JointKind::kWeld) return body;
-    body = joint.parent;
-  }
-  return body;
-}
-
 /// Adds the element of one pad on body a against body b.
 void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace& place, int a,
                  int b, BuiltScene& built) {
   MovingScene& scene = built.scene;
   // Object with the friction of the pair.
-  const MechanismBody& other = scene.mechanism.bodies[static_cast<std::size_t>(b)];
+  const MechanismBody& other = scene.mechanism.bodies[b];
   require(other.solid != nullptr, "'{}' has no shape that could press on a pad", other.name);
   const RigidObject object{other.solid->shape,
                            pad.friction ? *pad.friction : friction_between(spec, built, a, b)};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/meeting_pairs.h"
@@ -17,8 +18,6 @@ namespace {
 using Pair = std::pair<int, int>;
 
 constexpr double kReportedOverlap = 1e-6;  // initial depth above which a pair is reported [m]
-
-Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Returns the bodies of a name: one body, or all links of a hand.
 std::vector<int> bodies_of(const BuiltScene& built, const std::string& name,
@@ -41,7 +40,7 @@ std::vector<Pair> pairs_between(const BuiltScene& built, const std::vector<std::
   std::vector<Pair> pairs;
   for (const int a : bodies_of(built, between[0], path, line))
     for (const int b : bodies_of(built, between[1], path, line))
-      if (a != b) pairs.push_back(ordered(a, b));
+      if (a != b) pairs.emplace_back(std::minmax(a, b));
   return pairs;
 }
 
@@ -64,9 +63,7 @@ std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (friction.between.empty()) continue;
     for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line)) {
-      PairFriction base = built.scene.friction;
-      const bool is_new = named.emplace(pair, with_overrides(base, friction)).second;
-      if (!is_new)
+      if (!named.emplace(pair, with_overrides(built.scene.friction, friction)).second)
         throw DataError(spec.path, friction.line,
                         fmt::format("the friction of '{}' and '{}' is given twice",
                                     friction.between[0], friction.between[1]));
@@ -78,8 +75,8 @@ std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene
 /// Returns the static friction of the materials of a pair.
 /// @throws DataError that names both bodies if it is not known
 double material_friction(const SceneSpec& spec, const MovingScene& scene, const Pair& pair) {
-  const MechanismBody& a = scene.mechanism.bodies[static_cast<std::size_t>(pair.first)];
-  const MechanismBody& b = scene.mechanism.bodies[static_cast<std::size_t>(pair.second)];
+  const MechanismBody& a = scene.mechanism.bodies[pair.first];
+  const MechanismBody& b = scene.mechanism.bodies[pair.second];
   try {
     return spec.materials.between(material_of(a), material_of(b)).static_coefficient;
   } catch (const InputError& error) {
@@ -146,9 +143,8 @@ void exclude_overlapping_links(const SceneSpec& spec, BuiltScene& built) {
   ContactStep step(scene);
   for (const Eigen::VectorXd& q : {scene.q, zero})
     for (const auto& [pair, depth] : penetration_depths(step, q)) {
-      const std::string& owner = built.owner[static_cast<std::size_t>(pair.first)];
-      if (owner == built.owner[static_cast<std::size_t>(pair.second)] && hands.count(owner) > 0)
-        inside.insert(pair);
+      const std::string& owner = built.owner[pair.first];
+      if (owner == built.owner[pair.second] && hands.count(owner) > 0) inside.insert(pair);
     }
   scene.apart.insert(scene.apart.end(), inside.begin(), inside.end());
 }
@@ -157,7 +153,7 @@ void exclude_overlapping_links(const SceneSpec& spec, BuiltScene& built) {
 
 double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b) {
   // Look for the pair itself, then for all pairs, then for the materials.
-  const Pair pair = ordered(a, b);
+  const Pair pair = std::minmax(a, b);
   std::optional<double> common;
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (!friction.coefficient) continue;
@@ -174,18 +170,17 @@ double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, i
 void set_pairs(const SceneSpec& spec, BuiltScene& built) {
   // Exclude the pairs of the file, and links that overlap by design.
   for (const SceneApartSpec& apart : spec.apart)
-    for (const Pair& pair : pairs_between(built, apart.between, spec.path, apart.line))
-      built.scene.apart.push_back(pair);
+    append_all(built.scene.apart, pairs_between(built, apart.between, spec.path, apart.line));
   exclude_overlapping_links(spec, built);
   set_friction(spec, built);
   // Warn of initial overlaps.
   ContactStep step(built.scene);
   for (const auto& [pair, depth] : penetration_depths(step, built.scene.q))
     if (depth > kReportedOverlap)
-      built.warnings.push_back(fmt::format(
-          "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
-          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.first)].name,
-          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.second)].name, 1e3 * depth));
+      built.warnings.push_back(
+          fmt::format("'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
+                      built.scene.mechanism.bodies[pair.first].name,
+                      built.scene.mechanism.bodies[pair.second].name, 1e3 * depth));
 }
 
 }  // namespace thenar

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_node.h"
 #include "dynamics/mechanism/build_mechanism.h"
@@ -38,11 +39,8 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   }
   // Frame A of the joint, z along its axis; F is moved back by the initial value.
   Pose<double> A = X_WB;
-  if (spec.kind != JointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
-  if (is_scalar(joint.kind)) {
-    const Tangents sides = tangents(spec.axis);
-    A.R << sides.e1, sides.e2, spec.axis;
-  }
+  if (spec.kind == JointKind::kBall) A = {Eigen::Matrix3d::Identity(), spec.point};
+  if (is_scalar(joint.kind)) A = frame_with_z(spec.axis, spec.point);
   joint.X_PF = A * motion_along_z(joint.kind, -spec.start);
   joint.X_BM = X_WB.inverse() * A;
   if (!is_scalar(joint.kind)) return;
@@ -68,12 +66,10 @@ double open_position(const RobotDof& dof) {
 /// Welds the joints of a coordinate at its value u [rad] or [m].
 void weld_coordinate(Mechanism& part, int coordinate, double u) {
   for (MechanismJoint& joint : part.joints) {
-    if (!is_scalar(joint.kind)) continue;
+    if (!is_moved_by(joint, coordinate)) continue;
     // Shift F by the joint's value at u, and weld it there.
-    if (joint.coordinate == coordinate) {
-      joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
-      joint.kind = JointKind::kWeld;
-    }
+    joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
+    joint.kind = JointKind::kWeld;
   }
 }
 
@@ -84,19 +80,16 @@ std::vector<int> remove_unused_coordinates(Mechanism& part) {
   std::vector<MechanismCoordinate> remaining;
   for (int c = 0; c < static_cast<int>(part.coordinates.size()); ++c) {
     const bool used =
-        std::any_of(part.joints.begin(), part.joints.end(), [&](const MechanismJoint& joint) {
-          return is_scalar(joint.kind) && joint.coordinate == c;
-        });
+        any_of(part.joints, [&](const MechanismJoint& joint) { return is_moved_by(joint, c); });
     if (!used) continue;
-    new_index[static_cast<std::size_t>(c)] = static_cast<int>(kept.size());
+    new_index[c] = static_cast<int>(kept.size());
     kept.push_back(c);
-    remaining.push_back(part.coordinates[static_cast<std::size_t>(c)]);
+    remaining.push_back(part.coordinates[c]);
   }
   part.coordinates = std::move(remaining);
   // Update the joints.
   for (MechanismJoint& joint : part.joints)
-    if (is_scalar(joint.kind))
-      joint.coordinate = new_index[static_cast<std::size_t>(joint.coordinate)];
+    if (is_scalar(joint.kind)) joint.coordinate = new_index[joint.coordinate];
   return kept;
 }
 
@@ -104,20 +97,16 @@ std::vector<int> remove_unused_coordinates(Mechanism& part) {
 std::vector<double> robot_posture(const SceneHandSpec& hand, const RobotSpec& robot,
                                   const Mechanism& part) {
   // Open positions of the motors, replaced by the posture that the file states.
-  std::vector<std::string> names;
-  std::vector<double> u;
-  for (const MechanismCoordinate& coordinate : part.coordinates) {
-    names.push_back(coordinate.name);
-    u.push_back(0);
-    for (const RobotDof& dof : robot.dofs)
-      if (dof.name == coordinate.name) u.back() = open_position(dof);
-  }
+  const std::vector<std::string> names = names_of(part.coordinates);
+  std::vector<double> u(names.size(), 0);
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (const RobotDof* dof = find_named(robot.dofs, names[c])) u[c] = open_position(*dof);
   for (const auto& [name, value] : hand.placed.posture)
     u[index_of_name(name, names, "coordinate of hand '" + hand.placed.name + "'")] = value;
   // Check the joint limits.
   for (const MechanismJoint& joint : part.joints) {
     if (!is_scalar(joint.kind)) continue;
-    const double value = joint_value(joint, u[static_cast<std::size_t>(joint.coordinate)]).value;
+    const double value = joint_value(joint, u[joint.coordinate]).value;
     require(value >= joint.lower - kLimitTolerance && value <= joint.upper + kLimitTolerance,
             "joint '{}' of hand '{}' begins at {:.4g}, beyond its limits {:.4g} to {:.4g} [rad], "
             "[m]",
@@ -219,8 +208,8 @@ class PartsBuilder {
   }
 
   [[nodiscard]] bool is_driven(const std::string& coordinate) const {
-    return std::any_of(spec_.drives.begin(), spec_.drives.end(),
-                       [&](const SceneDriveSpec& drive) { return drive.coordinate == coordinate; });
+    return any_of(spec_.drives,
+                  [&](const SceneDriveSpec& drive) { return drive.coordinate == coordinate; });
   }
 
   /// Welds motors that are not backdrivable and have no drive; warns of features left out.
@@ -243,10 +232,8 @@ class PartsBuilder {
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }
     // Keep the values of the remaining coordinates.
-    std::vector<double> u;
-    for (const int c : remove_unused_coordinates(part.mechanism))
-      u.push_back(part.u[static_cast<std::size_t>(c)]);
-    part.u = std::move(u);
+    part.u =
+        transformed(remove_unused_coordinates(part.mechanism), [&](int c) { return part.u[c]; });
   }
 
   /// Makes joints of the part compliant as the file says. @return true if there are any

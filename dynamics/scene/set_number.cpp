@@ -25,7 +25,7 @@ std::vector<std::size_t> indices_of(const std::string& name, const std::vector<s
 
 /// Sets the mass of a body and scales its inertia.
 void set_mass(Mechanism& mechanism, const std::string& name, double mass) {
-  BodyMass& body = mechanism.bodies[static_cast<std::size_t>(body_named(mechanism, name))].mass;
+  BodyMass& body = mechanism.bodies[body_named(mechanism, name)].mass;
   require(body.mass > 0, "'{}' does not move: its mass plays no part", name);
   require(mass > 0, "wanted a mass above 0 of '{}', got {:g}", name, mass);
   body.inertia *= mass / body.mass;

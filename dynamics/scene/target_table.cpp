@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "data/io/time_table.h"
 #include "dynamics/stepping/simulate_scene.h"
@@ -28,13 +29,13 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   std::vector<std::string> wanted;
   for (const Unit& unit : units_of(dimension)) {
     wanted.push_back(drive.name + "_" + unit.suffix);
-    const auto found = std::find(table.columns.begin(), table.columns.end(), wanted.back());
-    if (found == table.columns.end()) continue;
+    const int column = place_in(table.columns, wanted.back());
+    if (column < 0) continue;
     if (out.target.size() > 0)
       throw DataError(path, table.header_line,
                       fmt::format("target '{}' stands in two units", drive.name));
     out.time = table.time;
-    out.target = unit.to_si * table.value.col(found - table.columns.begin());
+    out.target = unit.to_si * table.value.col(column);
   }
   if (out.target.size() == 0)
     throw DataError(path, table.header_line,
@@ -44,7 +45,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   for (Eigen::Index k = 1; k < out.time.size(); ++k) {
     const double span = out.time[k] - out.time[k - 1];
     if (span > 0 && span < SceneOptions().shortest)
-      throw DataError(path, table.lines[static_cast<std::size_t>(k)],
+      throw DataError(path, table.lines[k],
                       fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
                                   SceneOptions().shortest, span));
   }
@@ -52,7 +53,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   for (Eigen::Index k = 0; k < out.target.size(); ++k)
     if (std::abs(out.target[k]) > largest_of(dimension))
       throw DataError(
-          path, table.lines[static_cast<std::size_t>(k)],
+          path, table.lines[k],
           fmt::format("wanted at most {}, got {}", with_si_unit(largest_of(dimension), dimension),
                       with_si_unit(out.target[k], dimension)));
   return out;

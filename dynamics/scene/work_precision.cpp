@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/units.h"
 #include "dynamics/stepping/simulate_scene.h"
 
@@ -17,7 +17,7 @@ WorkPoint measure_point(const MovingScene& scene, const SceneOptions& options, d
   WorkPoint point;
   point.method = options.method;
   point.setting = setting;
-  point.cpu_seconds = std::numeric_limits<double>::infinity();
+  point.cpu_seconds = kInfinity;
   // All runs give the same result.
   for (int i = 0; i < repeats; ++i) {
     const SceneRun run = simulate_scene(scene, options);

@@ -67,10 +67,9 @@ void AppliedEfforts::add_springs(const SceneState& state) {
 }
 
 void AppliedEfforts::add_drive(const SceneDrive& drive, const SceneState& state) {
-  const auto c = static_cast<std::size_t>(drive.coordinate);
-  const int row = model_.layout.coordinate_v[c];
-  const double effort = drive_effort(drive, state.q[model_.layout.coordinate_q[c]], state.v[row],
-                                     state.t, selection_time_);
+  const int row = model_.layout.coordinate_v[drive.coordinate];
+  const double u = state.q[model_.layout.coordinate_q[drive.coordinate]];
+  const double effort = drive_effort(drive, u, state.v[row], state.t, selection_time_);
   tau[row] += effort;
   // A drive at its effort limit has no slope.
   if (std::abs(effort) >= drive.max_effort) return;

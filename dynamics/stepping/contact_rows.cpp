@@ -60,8 +60,7 @@ void ContactRows::assemble(const std::vector<ActiveContact>& list, double h,
 ContactBlock ContactRows::make_block(const ActiveContact& contact, double h) const {
   // Dry friction of a joint: |impulse| at most h times the friction effort.
   if (contact.kind == RowKind::kJointFriction) {
-    const double max_impulse =
-        h * scene_.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
+    const double max_impulse = h * scene_.mechanism.joints[contact.a].friction;
     return box_block(-max_impulse, max_impulse);
   }
   // Limits and frictionless contacts, points with friction, patches with torsional friction.
@@ -75,9 +74,9 @@ void ContactRows::fill_jacobian(const ActiveContact& contact, ConstraintLaw law,
                                 const TreeMotion<double>& links) {
   if (contact.kind != RowKind::kContact) {
     // Joint limit or friction: d value / d coordinate of the joint.
-    const auto joint = static_cast<std::size_t>(contact.a);
+    const int joint = contact.a;
     const double sign = contact.kind == RowKind::kUpperLimit ? -1 : 1;
-    const double slope = links.links()[static_cast<std::size_t>(model_.bodies[joint].link)].slope;
+    const double slope = links.links()[model_.bodies[joint].link].slope;
     J(model_.layout.first_v[joint], at) = sign * slope;
     return;
   }

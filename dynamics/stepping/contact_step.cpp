@@ -207,7 +207,7 @@ void ContactStep::find_deepest_new(const std::vector<ActiveContact>& found,
                                    const std::vector<ActiveContact>& closed, StepOutcome& outcome) {
   outcome.min_new_gap = outcome.new_closing_speed = 0;
   for (const ActiveContact& contact : found)
-    if (find_contact(closed, contact) == closed.end()) record_if_deepest(contact, outcome);
+    if (find_contact(closed, contact) == nullptr) record_if_deepest(contact, outcome);
 }
 
 double ContactStep::tunnelling_ratio(const SceneState& from, const SceneState& to,
@@ -281,8 +281,8 @@ void ContactStep::take_euler_substep(SceneState& state, double h,
   p.motion.set_state(state);
   p.contacts->find_contacts(p.motion, state, touch + kSearchMargin, p.found);
   for (ActiveContact& contact : p.found) {
-    const auto old = find_contact(closed, contact);
-    if (old == closed.end()) {
+    const ActiveContact* const old = find_contact(closed, contact);
+    if (old == nullptr) {
       record_if_deepest(contact, outcome);
       continue;
     }
@@ -404,8 +404,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
     p.rows.assemble(pressed, 0, p.motion.links(), p.free.mass);
     Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t k = 0; k < pressed.size(); ++k)
-      gaps[static_cast<Eigen::Index>(k)] =
-          std::clamp(-pressed[k].gap, -max_correction, max_correction);
+      gaps[k] = std::clamp(-pressed[k].gap, -max_correction, max_correction);
     // Solve for the least motion in the metric of M; contacts may be redundant.
     Eigen::VectorXd move =
         p.rows.J * p.rows.problem.W.completeOrthogonalDecomposition().solve(gaps);

@@ -18,10 +18,9 @@ double power_of_loads(const TreeMotion<double>& motion) {
 double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
                       const StepEfforts& at) {
   // Linearise the effort over the step, unless it is at its limit; multiply by the mean speed.
-  const auto c = static_cast<std::size_t>(drive.coordinate);
-  const int row = layout.coordinate_v[c];
-  double effort =
-      drive_effort(drive, at.q[layout.coordinate_q[c]], at.v[row], at.t, at.selection_time);
+  const int row = layout.coordinate_v[drive.coordinate];
+  const double u = at.q[layout.coordinate_q[drive.coordinate]];
+  double effort = drive_effort(drive, u, at.v[row], at.t, at.selection_time);
   if (std::abs(effort) < drive.max_effort)
     effort -= (at.theta * drive.damping + at.theta * at.theta * at.h * drive.stiffness) *
               (at.v_end[row] - at.v[row]);

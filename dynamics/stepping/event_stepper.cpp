@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "dynamics/stepping/limit_excess.h"
 
 namespace thenar {
@@ -197,9 +198,8 @@ void EventStepper::accept_trial(double length, double end) {
   update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
   // Correct gaps and resolve impacts at the end.
   const std::vector<ActiveContact>& closed = touching_.closed();
-  const bool slides = std::any_of(closed.begin(), closed.end(), [](const ActiveContact& c) {
-    return c.mode == ContactMode::kSlide;
-  });
+  const bool slides =
+      any_of(closed, [](const ActiveContact& c) { return c.mode == ContactMode::kSlide; });
   const double gap = touching_.close_gaps_and_update(length, state_, trials_.end_contacts());
   // Inform elements, detect rest, and wake the scene at switching times.
   step_.accept_step(state_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -101,7 +102,7 @@ bool SceneElements::may_start_motion(const ElementInput& at) const {
 std::vector<ElementControl> SceneElements::controls() const {
   std::vector<ElementControl> all;
   for (const std::unique_ptr<ForceElement>& element : elements_)
-    for (ElementControl& control : element->controls()) all.push_back(std::move(control));
+    append_all(all, element->controls());
   return all;
 }
 
@@ -109,16 +110,13 @@ void SceneElements::set_control(const std::string& name, double value) {
   // Offer the control to each element; if none has it, throw with the nearest name.
   for (const std::unique_ptr<ForceElement>& element : elements_)
     if (element->set_control(name, value)) return;
-  std::vector<std::string> names;
-  for (const ElementControl& control : controls()) names.push_back(control.name);
-  (void)index_of_name(name, names, "muscle or other control");
+  (void)index_of_name(name, names_of(controls()), "muscle or other control");
 }
 
 std::vector<ElementValue> SceneElements::readings(const ElementInput& at) {
   std::vector<ElementValue> all;
   for (std::size_t i = 0; i < elements_.size(); ++i)
-    for (ElementValue& value : elements_[i]->readings(input_of(i, at)))
-      all.push_back(std::move(value));
+    append_all(all, elements_[i]->readings(input_of(i, at)));
   return all;
 }
 

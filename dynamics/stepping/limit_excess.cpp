@@ -12,7 +12,7 @@ void update_limit_excess(const Mechanism& mechanism, const MechanismLayout& layo
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) continue;
     const double value = joint_value(joint, q[layout.first_q[i]]).value;
-    double& max_excess = beyond[static_cast<Eigen::Index>(i)];
+    double& max_excess = beyond[i];
     max_excess = std::max({max_excess, joint.lower - value, value - joint.upper});
   }
 }
@@ -27,7 +27,7 @@ void keep_max_excess(const Eigen::VectorXd& other, Eigen::VectorXd& beyond) {
 std::vector<PassedLimit> passed_limits(const Mechanism& mechanism, const Eigen::VectorXd& beyond) {
   std::vector<PassedLimit> out;
   for (Eigen::Index i = 0; i < beyond.size(); ++i) {
-    const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(i)];
+    const MechanismJoint& joint = mechanism.joints[i];
     const bool slides = joint.kind == JointKind::kSlide;
     if (beyond[i] > (slides ? kLimitLengthTolerance : kLimitAngleTolerance))
       out.push_back({joint.name, slides, beyond[i]});

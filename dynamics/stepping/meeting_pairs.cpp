@@ -11,9 +11,8 @@ std::vector<int> welded_groups(const Mechanism& mechanism) {
   std::vector<int> group(mechanism.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
-    group[i] = joint.kind == JointKind::kWeld && joint.parent >= 0
-                   ? group[static_cast<std::size_t>(joint.parent)]
-                   : static_cast<int>(i);
+    group[i] = joint.kind == JointKind::kWeld && joint.parent >= 0 ? group[joint.parent]
+                                                                   : static_cast<int>(i);
   }
   return group;
 }
@@ -25,17 +24,17 @@ std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
   // Find the groups that have a surface.
   std::vector<bool> has_surface(group.size());
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
+    if (mechanism.bodies[i].solid) has_surface[group[i]] = true;
   // Pair each group with its ancestors up to the first that has a surface.
   std::vector<std::pair<int, int>> out;
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (group[i] != static_cast<int>(i)) continue;
     int parent = mechanism.joints[i].parent;
     while (parent >= 0) {
-      const int other = group[static_cast<std::size_t>(parent)];
+      const int other = group[parent];
       out.emplace_back(static_cast<int>(i), other);
-      if (has_surface[static_cast<std::size_t>(other)]) break;
-      parent = mechanism.joints[static_cast<std::size_t>(other)].parent;
+      if (has_surface[other]) break;
+      parent = mechanism.joints[other].parent;
     }
   }
   return out;

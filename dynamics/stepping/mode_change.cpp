@@ -6,12 +6,6 @@
 namespace thenar {
 namespace {
 
-/// Returns the same contact in a list, or null.
-const ActiveContact* same_in(const std::vector<ActiveContact>& list, const ActiveContact& contact) {
-  const auto at = find_contact(list, contact);
-  return at == list.end() ? nullptr : &*at;
-}
-
 /// Returns true if a contact slides in both, but in opposite directions: it stopped in between.
 bool has_reversed_slip(const ActiveContact& a, const ActiveContact& b) {
   if (a.mode != ContactMode::kSlide || b.mode != ContactMode::kSlide) return false;
@@ -60,7 +54,7 @@ double max_reversed_slip(const std::vector<ActiveContact>& before,
                          const std::vector<ActiveContact>& after) {
   double max_slip = 0;
   for (const ActiveContact& contact : before) {
-    const ActiveContact* const then = same_in(after, contact);
+    const ActiveContact* const then = find_contact(after, contact);
     if (then == nullptr || !has_reversed_slip(contact, *then)) continue;
     const bool is_joint = contact.kind == ActiveContact::Kind::kJointFriction;
     max_slip = std::max(max_slip, is_joint ? std::abs(contact.approach) : contact.slip);
@@ -74,8 +68,8 @@ double fraction_before_change(const std::vector<ActiveContact>& earlier,
   double fraction = earlier.empty() ? 0.5 : 1;
   // Examine contacts that change their mode in the next substep.
   for (const ActiveContact& contact : now) {
-    const ActiveContact* const before = same_in(earlier, contact);
-    const ActiveContact* const after = same_in(next, contact);
+    const ActiveContact* const before = find_contact(earlier, contact);
+    const ActiveContact* const after = find_contact(next, contact);
     if (contact.mode == ContactMode::kOpen || before == nullptr) continue;
     if (after != nullptr && after->mode == contact.mode && !has_reversed_slip(contact, *after))
       continue;

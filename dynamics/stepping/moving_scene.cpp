@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -46,8 +47,7 @@ void check_drives(const MovingScene& scene) {
     require(drive.coordinate >= 0 &&
                 drive.coordinate < static_cast<int>(scene.mechanism.coordinates.size()),
             "there is no coordinate {}", drive.coordinate);
-    const std::string& name =
-        scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name;
+    const std::string& name = scene.mechanism.coordinates[drive.coordinate].name;
     for (const double number : {drive.bias, drive.target, drive.speed})
       require(std::isfinite(number), "drive of '{}': wanted finite numbers", name);
     require(drive.stiffness >= 0 && drive.damping >= 0 && drive.max_effort >= 0 &&
@@ -78,9 +78,8 @@ int first_free_entry(const Mechanism& mechanism, int body) {
   const MechanismJoint& joint = mechanism.joints.at(static_cast<std::size_t>(body));
   require(joint.kind == JointKind::kFree && joint.parent < 0,
           "body '{}' hangs on a {} joint: its pose follows from coordinates",
-          mechanism.bodies[static_cast<std::size_t>(body)].name,
-          name_in(kJointKindNames, joint.kind));
-  return layout_of(mechanism).first_q[static_cast<std::size_t>(body)];
+          mechanism.bodies[body].name, name_in(kJointKindNames, joint.kind));
+  return layout_of(mechanism).first_q[body];
 }
 
 }  // namespace
@@ -106,8 +105,7 @@ void check_scene(const MovingScene& scene) {
   for (const SceneForce& force : scene.forces) {
     check_body(scene, force.body);
     require(force.point.allFinite() && force.force.allFinite() && force.moment.allFinite(),
-            "a force on '{}' is not finite",
-            scene.mechanism.bodies[static_cast<std::size_t>(force.body)].name);
+            "a force on '{}' is not finite", scene.mechanism.bodies[force.body].name);
     check_span("force", force.when);
   }
   check_drives(scene);
@@ -206,7 +204,7 @@ void set_free_pose(const Mechanism& mechanism, int body, const Pose<double>& X_W
                    Eigen::VectorXd& q) {
   const int first = first_free_entry(mechanism, body);
   // Express the pose of M in F as a quaternion and a position.
-  const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
+  const MechanismJoint& joint = mechanism.joints[body];
   const Pose<double> X_FM = joint.X_PF.inverse() * X_WB * joint.X_BM;
   const Eigen::Quaterniond turn(X_FM.R);
   q.segment<4>(first) << turn.w(), turn.x(), turn.y(), turn.z();
@@ -217,8 +215,8 @@ void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::Vector
                        const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                        Eigen::VectorXd& v) {
   const int first_q = first_free_entry(mechanism, body);
-  const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
-  const int first = layout_of(mechanism).first_v[static_cast<std::size_t>(body)];
+  const MechanismJoint& joint = mechanism.joints[body];
+  const int first = layout_of(mechanism).first_v[body];
   // Find the vector from the body's origin to that of M.
   const Eigen::Quaterniond turn(q[first_q], q[first_q + 1], q[first_q + 2], q[first_q + 3]);
   const Eigen::Matrix3d R_WM = joint.X_PF.R * turn.toRotationMatrix();
@@ -241,7 +239,7 @@ std::vector<double> switching_times(const MovingScene& scene) {
     if (drive.table) add_knots(*drive.table, drive.when, times);
   }
   for (const std::shared_ptr<const ForceElement>& element : scene.elements)
-    for (const double t : element->switching_times()) times.push_back(t);
+    append_all(times, element->switching_times());
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

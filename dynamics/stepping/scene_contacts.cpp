@@ -62,8 +62,8 @@ void SceneContacts::add_body_contacts(const TreeMotion<double>& links, double ma
   for (const BodyContact& pair : world_->update(X_WB_, margin))
     for (const ManifoldPoint& point : *pair.manifold) {
       ActiveContact contact;
-      contact.a = body_of_[static_cast<std::size_t>(pair.a)];
-      contact.b = body_of_[static_cast<std::size_t>(pair.b)];
+      contact.a = body_of_[pair.a];
+      contact.b = body_of_[pair.b];
       contact.id = point.id;
       contact.feature = point.feature;
       contact.point = 0.5 * (point.on_a + point.on_b);
@@ -153,9 +153,8 @@ double SceneContacts::max_relative_speed(SceneMotion& motion, const Eigen::Vecto
     if (link < 0) continue;
     const Ball& ball = world_->bodies()[i]->ball;
     const Eigen::Vector3d centre = links.pose(body_of_[i]) * ball.c;
-    max_speed =
-        std::max(max_speed, links.velocity(link, centre).norm() +
-                                links.links()[static_cast<std::size_t>(link)].w.norm() * ball.r);
+    max_speed = std::max(
+        max_speed, links.velocity(link, centre).norm() + links.links()[link].w.norm() * ball.r);
   }
   return 2 * max_speed;
 }

@@ -2,9 +2,9 @@
 
 /// State of a moving scene: positions, velocities, element states and active contacts.
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -63,11 +63,12 @@ struct ActiveContact {
   }
 };
 
-/// Returns an iterator to the same contact in a list, or the end of the list.
-template <class List>
-[[nodiscard]] auto find_contact(List& list, const ActiveContact& contact) {
-  return std::find_if(list.begin(), list.end(),
-                      [&](const ActiveContact& each) { return each.is_same_contact(contact); });
+/// Returns the same contact in a list; null: there is none.
+[[nodiscard]] inline const ActiveContact* find_contact(const std::vector<ActiveContact>& list,
+                                                       const ActiveContact& contact) {
+  for (const ActiveContact& each : list)
+    if (each.is_same_contact(contact)) return &each;
+  return nullptr;
 }
 
 }  // namespace thenar

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -120,15 +119,13 @@ double SceneStepper::max_effort(int coordinate) const {
     if (drive.coordinate == coordinate) max_effort = std::max(max_effort, drive.max_effort);
   if (max_effort > 0) return max_effort;
   const double of_motor = scene().mechanism.coordinates[c].max_effort;
-  return of_motor > 0 ? of_motor : std::numeric_limits<double>::infinity();
+  return of_motor > 0 ? of_motor : kInfinity;
 }
 
 const SceneDrive* SceneStepper::first_stiff_drive(int coordinate) const {
-  const auto found =
-      std::find_if(scene_drives_.begin(), scene_drives_.end(), [&](const SceneDrive& drive) {
-        return drive.coordinate == coordinate && drive.stiffness > 0;
-      });
-  return found == scene_drives_.end() ? nullptr : &*found;
+  for (const SceneDrive& drive : scene_drives_)
+    if (drive.coordinate == coordinate && drive.stiffness > 0) return &drive;
+  return nullptr;
 }
 
 void SceneStepper::set_effort(int coordinate, double effort) {
@@ -177,10 +174,6 @@ void SceneStepper::set_control(const std::string& name, double value) {
   set_controls_[name] = value;
 }
 
-void SceneStepper::apply_controls() {
-  for (const auto& [name, value] : set_controls_) step_.set_element_control(name, value);
-}
-
 // Snapshots.
 
 void SceneStepper::reset() {
@@ -201,7 +194,7 @@ void SceneStepper::go_to(const SceneInstant& instant) {
   // Clear memory, then restore the snapshot; `instant` may alias now_.
   const SceneInstant copy = instant;
   step_.clear_memory();
-  apply_controls();
+  for (const auto& [name, value] : set_controls_) step_.set_element_control(name, value);
   now_ = copy;
   if (now_.steps > 0 && is_finite(now_.state)) step_.accept_step(now_.state);
 }

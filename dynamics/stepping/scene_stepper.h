@@ -96,7 +96,6 @@ class SceneStepper {
   [[nodiscard]] std::size_t checked_coordinate(int coordinate) const;
   [[nodiscard]] bool step_to(double end, const Progress& progress);
   void apply_drives();
-  void apply_controls();
 
   ContactStep step_;
   SceneOptions options_;

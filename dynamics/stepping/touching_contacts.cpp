@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "dynamics/stepping/fixed_step.h"
 
 namespace thenar {
@@ -19,26 +20,23 @@ constexpr double kCorrectionRatio =
 void TouchingContacts::remember_lost(const std::vector<ActiveContact>& found) {
   lost_.clear();
   for (const ActiveContact& old : closed_)
-    if (old.mode != ContactMode::kOpen && find_contact(found, old) == found.end())
-      lost_.push_back(old);
+    if (old.mode != ContactMode::kOpen && find_contact(found, old) == nullptr) lost_.push_back(old);
 }
 
 /// Replaces the closed contacts by the found ones that are closed; persisting contacts keep their
 /// modes and impulses. @return true if all were closed before
 bool TouchingContacts::retain_closed(std::vector<ActiveContact>& found) {
   // Discard open contacts; a contact with a force stays closed at any gap.
-  const auto is_open = [&](const ActiveContact& contact) {
-    return contact.gap > options_.touch &&
-           std::none_of(closed_.begin(), closed_.end(), [&](const ActiveContact& c) {
+  erase_where(found, [&](const ActiveContact& contact) {
+    return contact.gap > options_.touch && !any_of(closed_, [&](const ActiveContact& c) {
              return c.mode != ContactMode::kOpen && c.is_same_contact(contact);
            });
-  };
-  found.erase(std::remove_if(found.begin(), found.end(), is_open), found.end());
+  });
   // Copy modes and impulses of persisting contacts, for the warm start of the next solution.
   bool all_known = true;
   for (ActiveContact& contact : found) {
-    const auto old = find_contact(closed_, contact);
-    if (old == closed_.end()) {
+    const ActiveContact* const old = find_contact(closed_, contact);
+    if (old == nullptr) {
       all_known = false;
       continue;
     }
@@ -70,13 +68,10 @@ void TouchingContacts::update_with_impacts(SceneState& state, std::vector<Active
   if (approaches || !all_known) settle_modes(state);
   // Remove contacts that separate. A gap that still counts as closed is kept: contacts that push
   // each other off in turn would otherwise cause an impact each time.
-  closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
-                               [&](const ActiveContact& c) {
-                                 return c.mode == ContactMode::kOpen && c.approach > kImpactSpeed &&
-                                        c.gap > options_.touch;
-                               }),
-                closed_.end());
-  closed_.insert(closed_.end(), lost_.begin(), lost_.end());
+  erase_where(closed_, [&](const ActiveContact& c) {
+    return c.mode == ContactMode::kOpen && c.approach > kImpactSpeed && c.gap > options_.touch;
+  });
+  append_all(closed_, lost_);
 }
 
 /// Determines the modes of the next step by a step of the shortest length from the state.

@@ -40,7 +40,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
   columns_.restart();
   bool smooth = true;
   for (int n = 1; n <= options_.columns; ++n) {
-    StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
+    StepTrial& column = table_[n - 1];
     result_ = n - 1;
     if (!take_substeps(from, length, n, column)) return;
     smooth = smooth && column.is_smooth && same_modes(column.active, table_[0].active);
@@ -51,8 +51,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
   if (!smooth) {
     // If a mode changes, take the finest column; its difference from the previous one is the error.
     last.order = 2;
-    last.error =
-        scaled_difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
+    last.error = scaled_difference(last.state, table_[result_ - 1].state, 1);
     // If friction reverses within the first substep, all columns have the same error: up to twice
     // the slip before.
     last.error =

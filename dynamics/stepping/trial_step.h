@@ -82,7 +82,7 @@ class StepTrials {
   /// @param length  [s]
   void try_step(const Beginning& from, double length);
 
-  [[nodiscard]] StepTrial& result() { return table_[static_cast<std::size_t>(result_)]; }
+  [[nodiscard]] StepTrial& result() { return table_[result_]; }
   /// Returns the verdict of Extrapolation on the last column; kContinue if it gave none.
   [[nodiscard]] Verdict verdict() const { return verdict_; }
   /// Returns the length that Extrapolation proposes for the next step or trial [s].

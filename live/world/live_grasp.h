@@ -4,7 +4,6 @@
 /// edit of the world.
 
 #include <string>
-#include <vector>
 
 #include "api/grasp.h"
 #include "live/world/live_world.h"

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "api/named/material_names.h"
+#include "base/lists.h"
+#include "base/numbers.h"
 #include "base/progress_parts.h"
 #include "base/provenance.h"
 #include "hand/skin/human_surfaces.h"
@@ -152,10 +153,8 @@ std::string live_hand_key(const WorldSpec& world, std::size_t hand,
 bool is_up_to_date(const LiveHand& hand) {
   // Compare the digests of all files with those at the time of building.
   const FileDigests& files = hand.hand.named.files;
-  std::vector<std::string> paths;
-  for (const auto& [path, digest] : files) paths.push_back(path);
   try {
-    return digests_of(paths) == files;
+    return digests_of(map_keys(files)) == files;
   } catch (const DataError&) {
     return false;  // a file is missing
   }
@@ -176,7 +175,7 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
   const HandLayout& layout = hand.model().layout();
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
-    const auto c = static_cast<std::size_t>(joint.coordinate);
+    const int c = joint.coordinate;
     LiveJoint out;
     out.name = layout.coordinates[c];
     out.hand = name;
@@ -184,8 +183,8 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
     out.axis = joint.axis;
     out.point = joint.point;
     out.slides = joint.slides;
-    out.lower = layout.lower[joint.coordinate];
-    out.upper = layout.upper[joint.coordinate];
+    out.lower = layout.lower[c];
+    out.upper = layout.upper[c];
     if (hand.couplings[c].leader >= 0) out.led_by = layout.coordinates[hand.couplings[c].leader];
     shape.joints.push_back(std::move(out));
   }
@@ -205,8 +204,7 @@ void add_hand_instant(const LiveHand& hand, const HandPlacement& placement, Live
   // Add the lines; tensions of tendons are unknown in a world.
   for (const Eigen::Vector3d& p : tendon_points(hand.model(), hand.tendons, placement.q))
     instant.line_points.push_back(placement.X_WH * p);
-  instant.tensions.insert(instant.tensions.end(), hand.tendons.size(),
-                          std::numeric_limits<double>::quiet_NaN());
+  instant.tensions.insert(instant.tensions.end(), hand.tendons.size(), kNaN);
 }
 
 }  // namespace thenar

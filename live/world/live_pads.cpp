@@ -1,6 +1,5 @@
 #include "live/world/live_pads.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

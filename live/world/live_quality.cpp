@@ -1,7 +1,6 @@
 #include "live/world/live_quality.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,7 +32,7 @@ std::vector<std::string> deep_overlaps(const LivePairSetup& current) {
   for (const Overlap& overlap : find_overlaps(posed(current), current.setup, 1e-5)) {
     const double soft =
         soft_layer_depth(*find_named(current.state_hand.built->model().surfaces(), overlap.surface),
-                   current.setup.materials);
+                         current.setup.materials);
     if (overlap.depth > std::max(kReportedOverlap, soft))
       warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
                                      1000 * overlap.depth, overlap.other));

@@ -3,7 +3,6 @@
 /// Measures of a grasp in the current state of a live world: contacts, quality, wrench sets.
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -62,13 +62,10 @@ void add_contacts(const WorldState& state, const std::vector<HandObjectContacts>
   for (const HandObjectContacts& touches : all)
     for (const HandContact& found : touches.contacts) {
       const Contact seen = seen_from(state.bodies[touches.body].X_WB, found.contact);
-      LiveContact contact;
-      contact.a = first[touches.hand] + found.surface;
-      contact.b = first.back() + static_cast<int>(touches.body);
-      contact.point = seen.p;
-      contact.normal = -seen.n;
-      contact.friction = seen.friction;
-      instant.contacts.push_back(contact);
+      const Eigen::Vector3d unknown_force(0, 0, 0);
+      instant.contacts.push_back({first[touches.hand] + found.surface,
+                                  first.back() + static_cast<int>(touches.body), seen.p, -seen.n,
+                                  unknown_force, seen.friction});
     }
 }
 

@@ -10,6 +10,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "live/world/free_position.h"
@@ -23,15 +24,6 @@ namespace fs = std::filesystem;
 
 void require_material(const WorldSpec& world, const std::string& material) {
   if (!material.empty()) (void)world.materials.at(material);
-}
-
-/// Returns the names of the hands that are mounted on a hand.
-std::vector<std::string> carried_by(const WorldState& state, const std::string& name) {
-  std::vector<std::string> carried;
-  for (const PlacedHand& placed : state.placed)
-    if (!placed.carrier.empty() && current_hand_name(placed.carrier) == current_hand_name(name))
-      carried.push_back(placed.name);
-  return carried;
 }
 
 /// Returns the entry of WorldState::placed of a name, or its size if there is none.
@@ -49,7 +41,7 @@ std::size_t body_index(const WorldState& state, const std::string& name) {
 
 [[noreturn]] void refuse_name(const WorldState& state, const std::string& name) {
   std::vector<std::string> names = body_names(state);
-  for (const PlacedHand& placed : state.placed) names.push_back(placed.name);
+  append_all(names, names_of(state.placed));
   throw InputError(fmt::format("the world has no '{}'{} it has {}", name,
                                hint_before_list(name, names), listed(names)));
 }
@@ -85,15 +77,12 @@ PlacedHand placed_by_name(const LiveWorld& live, const std::string& name) {
 /// Returns the state without an entry of `placed` and without the hand that begins with it.
 WorldState without_placed(WorldState state, std::size_t removed) {
   // Remove the hand.
-  std::vector<StateHand> kept;
-  for (const StateHand& hand : state.hands)
-    if (hand.parts.front() != removed) kept.push_back(hand);
+  erase_where(state.hands, [&](const StateHand& hand) { return hand.parts.front() == removed; });
   // Renumber the parts of the other hands.
-  for (StateHand& hand : kept)
+  for (StateHand& hand : state.hands)
     for (std::size_t& part : hand.parts)
       if (part > removed) --part;
   state.placed.erase(state.placed.begin() + static_cast<std::ptrdiff_t>(removed));
-  state.hands = std::move(kept);
   return state;
 }
 
@@ -223,13 +212,13 @@ void remove_thing(LiveWorld& live, const std::string& name) {
   // Remove a hand that carries no other.
   const std::size_t hand = placed_index(next, name);
   if (hand == next.placed.size()) refuse_name(next, name);
-  const std::vector<std::string> carried = carried_by(next, next.placed[hand].name);
+  const std::vector<std::string> carried = carried_by(next.placed, next.placed[hand].name);
   require(carried.empty(), "'{}' carries {}: remove that first", name, listed(carried));
   const std::string carrier = next.placed[hand].carrier;
   next = without_placed(std::move(next), hand);
   // A carrier without any hand left becomes a hand of its own.
   const std::size_t bare = carrier.empty() ? next.placed.size() : placed_index(next, carrier);
-  if (bare < next.placed.size() && carried_by(next, next.placed[bare].name).empty()) {
+  if (bare < next.placed.size() && carried_by(next.placed, next.placed[bare].name).empty()) {
     WorldSpec world = *next.header;
     world.hands = next.placed;
     std::shared_ptr<const LiveHand> built = live.find_or_build_hand(world, bare, "world", {});
@@ -260,8 +249,7 @@ void place_thing(LiveWorld& live, const std::string& name,
           "'{}' is mounted on '{}' ({}): move the joints of that, or place '{}'", name,
           found.carrier, found.carrier_link, [&] {
             for (const StateHand& hand : next.hands)
-              if (std::find(hand.parts.begin(), hand.parts.end(), placed) != hand.parts.end())
-                return root_name(next, hand);
+              if (contains(hand.parts, placed)) return root_name(next, hand);
             return found.carrier;
           }());
   // Move the root, with all hands on it.

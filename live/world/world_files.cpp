@@ -1,6 +1,5 @@
 #include "live/world/world_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -16,14 +15,6 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns true if a hand of a world carries another.
-bool carries_any(const WorldSpec& world, const PlacedHand& hand) {
-  return std::any_of(world.hands.begin(), world.hands.end(), [&](const PlacedHand& other) {
-    return !other.carrier.empty() &&
-           current_hand_name(other.carrier) == current_hand_name(hand.name);
-  });
-}
 
 /// Returns the world without hands and bodies.
 std::shared_ptr<const WorldSpec> header_of(const WorldSpec& world) {
@@ -77,7 +68,7 @@ WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::st
   for (const PlacedBody& placed : world.bodies) state.bodies.push_back(build_state_body(placed));
   // Build each hand that carries no other, with all its carriers.
   for (std::size_t i = 0; i < world.hands.size(); ++i) {
-    if (carries_any(world, world.hands[i])) continue;
+    if (!carried_by(world.hands, world.hands[i].name).empty()) continue;
     std::shared_ptr<const LiveHand> built = live.find_or_build_hand(world, i, path, progress);
     const WorldHand in_world = reposed_hand(world, world.hands[i].name, path, data, built->hand);
     state.hands.push_back({std::move(built), in_world.parts, {in_world.X_WH, in_world.q}});

@@ -18,10 +18,9 @@ std::size_t entry_named(const std::vector<std::string>& names, const std::string
                         const std::string& kind) {
   // Find the name.
   if (!name.empty()) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    require(found != names.end(), "the world has no {} '{}'{} it has {}", kind, name,
+    require(contains(names, name), "the world has no {} '{}'{} it has {}", kind, name,
             hint_before_list(name, names), listed(names));
-    return static_cast<std::size_t>(found - names.begin());
+    return static_cast<std::size_t>(place_in(names, name));
   }
   // Without a name there must be exactly one entry.
   require(!names.empty(), "the world has no {}", kind);
@@ -112,9 +111,18 @@ std::size_t object_index(const WorldState& state, const std::string& name) {
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), found) - all.begin());
 }
 
+std::vector<std::string> carried_by(const std::vector<PlacedHand>& placed,
+                                    const std::string& name) {
+  std::vector<std::string> carried;
+  for (const PlacedHand& each : placed)
+    if (!each.carrier.empty() && current_hand_name(each.carrier) == current_hand_name(name))
+      carried.push_back(each.name);
+  return carried;
+}
+
 std::string free_name(const WorldState& state, const std::string& wanted) {
   std::vector<std::string> taken = body_names(state);
-  for (const PlacedHand& hand : state.placed) taken.push_back(hand.name);
+  append_all(taken, names_of(state.placed));
   if (!contains(taken, wanted)) return wanted;
   for (int number = 2;; ++number)
     if (std::string name = fmt::format("{} {}", wanted, number); !contains(taken, name))

@@ -65,6 +65,10 @@ struct WorldState {
 ///         if it is an obstacle
 [[nodiscard]] std::size_t object_index(const WorldState& state, const std::string& name);
 
+/// Returns the names of the hands of a list that are mounted on a hand.
+[[nodiscard]] std::vector<std::string> carried_by(const std::vector<PlacedHand>& placed,
+                                                  const std::string& name);
+
 /// Returns a name that is not in use: "mug", or if that is taken "mug 2", "mug 3" ..
 [[nodiscard]] std::string free_name(const WorldState& state, const std::string& wanted);
 
