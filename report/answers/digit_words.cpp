@@ -21,9 +21,8 @@ std::string standing_angles(const DigitResult& about) {
   std::string text;
   if (about.grid.postures.empty()) return text;
   const Eigen::VectorXd& q = about.grid.postures.front();
-  const std::vector<int>& varied = about.grid.varied;
   for (int i = 0; i < static_cast<int>(q.size()); ++i)
-    if (std::count(varied.begin(), varied.end(), i) == 0)
+    if (!contains(about.grid.varied, i))
       text += fmt::format(" {}={:.4g}", nth(about.rows, i), q[i] / kDegree);
   return text;
 }
@@ -105,19 +104,14 @@ SweepAxes axes_of(const DigitResult& about) {
 }
 
 std::vector<std::string> joint_header(const DigitResult& about) {
-  std::vector<std::string> header;
-  if (!about.map.empty()) return header;
-  for (const std::string& joint : about.rows) header.push_back(joint + "_deg");
-  return header;
+  return about.map.empty() ? with_ending(about.rows, "_deg") : std::vector<std::string>{};
 }
 
 std::vector<std::string> joint_cells(const Eigen::VectorXd& q) {
-  std::vector<std::string> cells;
-  for (const double angle : q) {
+  return transformed(q, [](double angle) {
     const double degrees_now = angle / kDegree;
-    cells.push_back(fmt::format("{:.10g}", std::abs(degrees_now) < 1e-9 ? 0 : degrees_now));
-  }
-  return cells;
+    return fmt::format("{:.10g}", std::abs(degrees_now) < 1e-9 ? 0 : degrees_now);
+  });
 }
 
 }  // namespace thenar

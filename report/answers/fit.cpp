@@ -190,8 +190,7 @@ std::string noise_words(const FitResult& result, std::size_t e) {
 /// "prior sds as the forces ask for: tendons x 0.01, .."; empty where they are as stated.
 std::string scale_text(const Fit& fit) {
   const std::vector<ScaledPriors>& scales = fit.problem.parameters().scales;
-  if (std::all_of(scales.begin(), scales.end(), [](const auto& each) { return each.factor == 1; }))
-    return "";
+  if (all_of(scales, [](const auto& each) { return each.factor == 1; })) return "";
   return fmt::format("prior sds as the forces ask for: {}\n",
                      each_in_words(scales, [](const ScaledPriors& scale) {
                        return fmt::format("{} x {:.4g}", scale.name, scale.factor);
@@ -234,9 +233,8 @@ Fields choice_fields(const ChosenSettings& chosen) {
                        {"chosen", choice.value()}});
   for (const TriedSettings& one : chosen.tried)
     tried.push_back({{"chosen", one.chosen}, {"loss", one.loss}, {"relative_error", one.error}});
-  std::vector<std::string> by;
-  for (const LeaveOut what : chosen.by) by.emplace_back(name_of(what));
-  return {{"by", by},
+  const auto name = [](LeaveOut what) { return std::string(name_of(what)); };
+  return {{"by", transformed(chosen.by, name)},
           {"loss", chosen.tried.empty() ? kNaN : chosen.loss},
           {"relative_error", chosen.tried.empty() ? kNaN : chosen.error},
           {"complete", chosen.status != Status::kStopped},
@@ -332,9 +330,8 @@ Fields fields_of(const FitResult& result) {
     folds.emplace_back(choice_fields(fold.settings)).add("fold", fold.fold);
   fields.add_some("fold_settings", std::move(folds));
   // Directions that the prior alone decides.
-  std::vector<std::string> open;
-  for (const NullDirection& null : fit.covariance.null_directions) open.push_back(null.text);
-  if (!open.empty()) fields.add("not_identifiable", open);
+  if (const auto& open = fit.covariance.null_directions; !open.empty())
+    fields.add("not_identifiable", transformed(open, &NullDirection::text));
   fields.add_some("left_out", left_out_fields(result));
   if (Fields rows = hood_row_fields(result); !rows.all().empty())
     fields.add("hood_rows", std::move(rows));

@@ -276,7 +276,7 @@ std::string text_of(const Imported& imported) {
   for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
   // Options of the command for what the warnings advise.
   const auto advised = [&](const char* word) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const OrderedJson& warning) {
+    return any_of(warnings, [&](const OrderedJson& warning) {
       return warning.get_ref<const std::string&>().find(word) != std::string::npos;
     });
   };

@@ -65,11 +65,10 @@ std::string checks_text(const PosteriorSummary& summary) {
   Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
                "within_95_pct", "chi_square", "numbers", "p"}};
   for (const auto& [prediction, check] : summary.experiments) {
-    std::vector<std::string> covered;
-    for (const Coverage& each : check.coverage) covered.push_back(shown(100 * each.share, 0));
+    const auto percent = [](const Coverage& each) { return shown(100 * each.share, 0); };
     table.add_parts({{prediction.experiment, shown(prediction.error.rms, 3),
                       shown(prediction.error.relative, 3)},
-                     covered,
+                     transformed(check.coverage, percent),
                      {shown(check.mean_chi_square, 1), std::to_string(check.rank_share.size()),
                       shown(check.p, 3)}});
   }
@@ -171,10 +170,9 @@ std::string modes_text(const PosteriorRun& run) {
 // As fields.
 
 std::vector<std::string> advice_lines(const PosteriorRun& run) {
-  std::vector<std::string> lines;
-  for (const SamplingAdvice& one : advise(run))
-    lines.push_back(one.command.empty() ? one.remedy : one.remedy + ": " + one.command);
-  return lines;
+  return transformed(advise(run), [](const SamplingAdvice& one) {
+    return one.command.empty() ? one.remedy : one.remedy + ": " + one.command;
+  });
 }
 
 /// Returns warnings about the inputs, and about noise that the draws found to be far larger than

@@ -64,12 +64,9 @@ std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve&
 Json curve_chart(const std::string& caption, const std::vector<std::string>& labels,
                  Json curve_series, const std::vector<ChartDatum>& data) {
   Json series = Json::array({std::move(curve_series)});
-  Json x = Json::array(), y = Json::array();
-  for (const ChartDatum& each : data) {
-    x.push_back(each.x);
-    y.push_back(each.y);
-  }
-  if (!data.empty()) series.push_back(curve_json("measured, 1 sd", x, y, "points"));
+  if (!data.empty())
+    series.push_back(
+        curve_of_each("measured, 1 sd", data, &ChartDatum::x, &ChartDatum::y, "points"));
   for (const ChartDatum& each : data)
     series.push_back(curve_json("measured, 1 sd",
                                 {std::max(0.0, each.x - each.sd_x), each.x + each.sd_x},
@@ -79,18 +76,16 @@ Json curve_chart(const std::string& caption, const std::vector<std::string>& lab
 
 /// Force by depth and area by force of a press.
 Json press_charts(const PressRecord& record, const FittedCurve& curve) {
-  Json depth = Json::array(), force = Json::array(), area = Json::array();
-  for (const PressPoint& point : curve.points) {
-    depth.push_back(point.indentation / kMm);
-    force.push_back(point.force);
-    area.push_back(point.area / kSquareMm);
-  }
+  const auto depth = [](const PressPoint& point) { return point.indentation / kMm; };
+  const auto area = [](const PressPoint& point) { return point.area / kSquareMm; };
   return row_block(
       {curve_chart(fmt::format("Force over depth, press '{}'", record.name),
-                   {"depth [mm]", "force [N]"}, curve_json("fitted pad", depth, force, "lines"),
+                   {"depth [mm]", "force [N]"},
+                   curve_of_each("fitted pad", curve.points, depth, &PressPoint::force, "lines"),
                    chart_data(record, curve, false)),
        curve_chart(fmt::format("Contact area over force, press '{}'", record.name),
-                   {"force [N]", "area [mm2]"}, curve_json("fitted pad", force, area, "lines"),
+                   {"force [N]", "area [mm2]"},
+                   curve_of_each("fitted pad", curve.points, &PressPoint::force, area, "lines"),
                    chart_data(record, curve, true))});
 }
 

@@ -109,9 +109,7 @@ std::vector<Fields> press_fields(const PadLaws& found) {
 }
 
 std::vector<double> depths_mm(const PadLaws& found) {
-  std::vector<double> depths;
-  for (const double depth : found.depths) depths.push_back(depth / kMm);
-  return depths;
+  return transformed(found.depths, [](double depth) { return depth / kMm; });
 }
 
 }  // namespace

@@ -35,16 +35,8 @@ Json arrow(const PredictedTrial& trial, const Plane& plane) {
 /// Panels in the order in which postures first appear.
 Json panels(const Prediction& prediction, const Plane& plane) {
   Json out = Json::array();
-  for (const PredictedTrial& trial : prediction.trials) {
-    Json* panel = nullptr;
-    for (Json& known : out)
-      if (known["title"] == trial.posture) panel = &known;
-    if (panel == nullptr) {
-      out.push_back({{"title", trial.posture}, {"arrows", Json::array()}});
-      panel = &out.back();
-    }
-    (*panel)["arrows"].push_back(arrow(trial, plane));
-  }
+  for (const PredictedTrial& trial : prediction.trials)
+    entry_named(out, "title", trial.posture, "arrows")["arrows"].push_back(arrow(trial, plane));
   return out;
 }
 
@@ -88,8 +80,8 @@ Json trial_table(const PredictedExperiment& one) {
 
 Json force_panels(const Prediction& prediction, const std::string& caption) {
   // The lateral plane needs the component across the plane of flexion.
-  const bool in_space = std::all_of(prediction.trials.begin(), prediction.trials.end(),
-                                    [](const PredictedTrial& t) { return t.components == 3; });
+  const bool in_space =
+      all_of(prediction.trials, [](const PredictedTrial& t) { return t.components == 3; });
   Json planes = Json::array();
   for (const Plane& plane : kPlanes)
     if (in_space || plane.x < 2)

@@ -19,9 +19,7 @@
 #include "studies/pages/measured_lessons.h"
 #include "studies/pages/thumb_recovery.h"
 #include "studies/pages/thumb_study.h"
-#include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
-#include "tendons/tendon_model.h"
 
 namespace thenar {
 namespace {
