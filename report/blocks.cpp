@@ -79,6 +79,15 @@ Json banner_block(const std::string& title, Json reasons, bool ok) {
   return {{"type", "banner"}, {"ok", ok}, {"title", title}, {"reasons", std::move(reasons)}};
 }
 
+Json refusal_banner(const std::string& refusal, const std::vector<std::string>& warnings,
+                    const std::string& failed_title, const std::string& title) {
+  std::vector<std::string> reasons = warnings;
+  if (!refusal.empty()) reasons.insert(reasons.begin(), refusal);
+  const bool ok = refusal.empty();
+  return with(banner_block(ok ? title : failed_title, reasons, ok),
+              {{"caution", ok && !reasons.empty()}});
+}
+
 Json with(Json block, const Json& more) {
   block.update(more);
   return block;

@@ -35,6 +35,11 @@ struct BlockColumn {
 [[nodiscard]] Json row_block(Json blocks);
 /// Returns a banner that says whether the content below is reliable, and why not.
 [[nodiscard]] Json banner_block(const std::string& title, Json reasons, bool ok = false);
+/// Returns a banner of a result: red with the refusal, which is the first reason; amber with
+/// warnings alone. @param title  where there is no refusal
+[[nodiscard]] Json refusal_banner(const std::string& refusal,
+                                  const std::vector<std::string>& warnings,
+                                  const std::string& failed_title, const std::string& title);
 /// Returns a block with further members: {{"search", true}}.
 [[nodiscard]] Json with(Json block, const Json& more);
 /// Returns a list followed by `more`.

@@ -193,11 +193,7 @@ Table table_of_free(const InferNetResult& inference) {
   return table;
 }
 
-}  // namespace
-
 // Where nothing but bands is open.
-
-namespace {
 
 /// The band's stiffness, if the data decide it.
 std::string stiffness(const BandVerdict& band) {

@@ -9,7 +9,6 @@
 #include "data/io/toml_text.h"
 #include "report/blocks.h"
 #include "report/pads/fit_answer.h"
-#include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
 #include "report/provenance.h"
 
@@ -120,20 +119,16 @@ Json source_section(const FittedPad& fitted) {
                                           std::move(rows))}));
 }
 
-Json fit_banner(const FittedPad& fitted) {
-  const bool converged = fitted.fit.solution.converged();
-  return pad_banner(refusal_of(fitted), fitted.outcome.warnings, "The search has NOT converged",
-                    fitted.outcome.stopped()
-                        ? "The search was stopped: this is the best pad by then"
-                    : converged ? "The search has converged"
-                                : "The search has NOT converged, which was allowed");
-}
-
 }  // namespace
 
 Json page_of(const FittedPad& fitted) {
   // Constants and their doubts first; without estimates there is nothing else.
-  Json blocks = Json::array({fit_banner(fitted)});
+  const char* const title =
+      fitted.outcome.stopped()          ? "The search was stopped: this is the best pad by then"
+      : fitted.fit.solution.converged() ? "The search has converged"
+                                        : "The search has NOT converged, which was allowed";
+  Json blocks = Json::array({refusal_banner(refusal_of(fitted), fitted.outcome.warnings,
+                                            "The search has NOT converged", title)});
   if (!fitted.fit.estimates.empty()) {
     blocks.push_back(table_block("Constants", table_of(fitted)));
     blocks.push_back(text_block(constants_note(fitted)));

@@ -7,8 +7,6 @@
 #include <set>
 
 #include "base/units.h"
-#include "report/blocks.h"
-#include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
 #include "report/picture/color_ramp.h"
 #include "report/picture/mesh_table.h"
@@ -284,9 +282,9 @@ Json rung_section(const PressResult& pressed) {
 Json page_of(const PressResult& pressed) {
   // The deformed pad, if it was solved at all.
   MeshTable meshes;
-  Json blocks = Json::array(
-      {pad_banner(refusal_of(pressed), pressed.outcome.warnings, "The press ended early",
-                  pressed.outcome.stopped() ? "The press was stopped" : "All steps were solved")});
+  Json blocks = Json::array({refusal_banner(
+      refusal_of(pressed), pressed.outcome.warnings, "The press ended early",
+      pressed.outcome.stopped() ? "The press was stopped" : "All steps were solved")});
   if (pressed.skin.places.cols() > 0) {
     blocks.push_back(pad_scene(pressed, meshes));
     blocks.push_back(patch_maps(pressed, meshes));

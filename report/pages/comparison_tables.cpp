@@ -442,9 +442,8 @@ Json abilities_section(const Comparison& comparison) {
 Json reading_section(const Comparison& comparison) {
   Json blocks = Json::array();
   if (!comparison.warnings.empty()) {
-    Json rows = Json::array();
-    for (const std::string& warning : comparison.warnings) rows.push_back(Json::array({warning}));
-    blocks.push_back(table_block("Warnings.", {"warning"}, rows));
+    const auto row = [](const std::string& warning) { return Json::array({warning}); };
+    blocks.push_back(table_block("Warnings.", {"warning"}, list_of_each(comparison.warnings, row)));
   }
   return section("reading", "How to read this", reading_words(comparison), blocks);
 }

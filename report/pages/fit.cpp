@@ -332,9 +332,9 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
   const std::string& name = nth(fit.problem.specimens(), specimen);
   // The first posture of an experiment of the specimen.
   const std::vector<Experiment>& experiments = fit.problem.experiments();
-  const auto own = std::find_if(experiments.begin(), experiments.end(),
-                                [&](const Experiment& e) { return e.specimen == name; });
-  const ExperimentPlan& plan = nth(fit.problem.plans(), own - experiments.begin());
+  const Experiment* own =
+      find_where(experiments, [&](const Experiment& e) { return e.specimen == name; });
+  const ExperimentPlan& plan = nth(fit.problem.plans(), own - experiments.data());
   const Eigen::VectorXd q = plan.postures.front();
   // Skin is that of the subject, so it is drawn only where the fit keeps the subject's size.
   Json layers = Json::array({bone_layer(before, q, "#b8a48a"),

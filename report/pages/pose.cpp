@@ -2,7 +2,6 @@
 
 #include "base/units.h"
 #include "report/answers/pose.h"
-#include "report/blocks.h"
 #include "report/picture/digit_layers.h"
 #include "report/provenance.h"
 
