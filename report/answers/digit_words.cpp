@@ -83,18 +83,17 @@ Fields digit_fields(const DigitResult& about,
       fields.add("map", about.map);
     fields.add("fidelity", about.built);
     if (about.outcome.done > 0) add(0, fields);
-    fields.add("warnings", about.outcome.warnings);
-    return fields;
+  } else {
+    fields.add("fidelity", about.built);
+    fields.add("varied", axes_of(about).names);
+    std::vector<Fields> postures(about.outcome.done);
+    for (std::size_t i = 0; i < about.outcome.done; ++i) {
+      add_posture(i, postures[i]);
+      add(i, postures[i]);
+    }
+    fields.add("postures", std::move(postures));
+    if (about.outcome.done < about.outcome.asked) fields.add("stopped_before", about.outcome.asked);
   }
-  fields.add("fidelity", about.built);
-  fields.add("varied", axes_of(about).names);
-  std::vector<Fields> postures(about.outcome.done);
-  for (std::size_t i = 0; i < about.outcome.done; ++i) {
-    add_posture(i, postures[i]);
-    add(i, postures[i]);
-  }
-  fields.add("postures", std::move(postures));
-  if (about.outcome.done < about.outcome.asked) fields.add("stopped_before", about.outcome.asked);
   fields.add("warnings", about.outcome.warnings);
   return fields;
 }

@@ -62,22 +62,20 @@ std::vector<Fields> left_out_fields(const FitResult& result) {
 
 /// Every coordinate with its meaning, best known first.
 std::vector<Fields> learnt_fields(const Fit& fit) {
-  std::vector<Fields> list;
-  for (const int i : sorted_by_sd(fit.covariance)) {
+  return fields_of_each(sorted_by_sd(fit.covariance), [&](const int i) {
     const CoordinateEstimate& one = nth(fit.covariance.learnt, i);
-    Fields& fields =
-        list.emplace_back(Fields{{"name", one.name},
-                                 {"meaning", meaning_of(one.name, fit.problem.digit())},
-                                 {"estimate_prior_sds", one.z},
-                                 {"sd_prior_sds", one.sd},
-                                 {"at_bound", one.at_bound}});
+    Fields fields{{"name", one.name},
+                  {"meaning", meaning_of(one.name, fit.problem.digit())},
+                  {"estimate_prior_sds", one.z},
+                  {"sd_prior_sds", one.sd},
+                  {"at_bound", one.at_bound}};
     if (const auto value = value_in_unit(fit, i))
       fields.append({{"value", value->value},
                      {"sd", value->sd},
                      {"prior_sd", value->prior_sd},
                      {"unit", value->unit}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 std::string learnt_text(const Fit& fit) {

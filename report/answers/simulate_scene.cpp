@@ -161,9 +161,8 @@ OrderedJson passive_moments(const SceneResult& scene) {
 }
 
 std::vector<Fields> pair_fields(const SceneResult& scene) {
-  std::vector<Fields> list;
-  for (const PairMeasure& pair : scene.measures.pairs) {
-    Fields& fields = list.emplace_back(Fields{
+  return fields_of_each(scene.measures.pairs, [&](const PairMeasure& pair) {
+    Fields fields{
         {"bodies", std::vector<std::string>{body_name(scene, pair.a), body_name(scene, pair.b)}},
         {"slip", units::kMetre, pair.slip},
         {"first", units::kSecond, pair.first},
@@ -171,13 +170,13 @@ std::vector<Fields> pair_fields(const SceneResult& scene) {
         {"largest_force", units::kNewton, pair.largest_force},
         {"end_force", units::kNewton, pair.force},
         {"end_points", pair.points},
-        {"end", mode_word(pair)}});
+        {"end", mode_word(pair)}};
     if (is_pad(pair))
       fields.add("patch", Fields{{"area", units::kSquareMetre, pair.area},
                                  {"stick", pair.stick},
                                  {"torsion", units::kNewtonMetre, pair.torsion}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 /// Muscles of human hands that pull at some instant.
@@ -192,17 +191,15 @@ Table muscle_table(const SceneResult& scene) {
 }
 
 std::vector<Fields> muscle_fields(const SceneResult& scene) {
-  std::vector<Fields> list;
-  for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
-    Fields& fields =
-        list.emplace_back(Fields{{"muscle", muscle.name},
-                                 {"tension", units::kNewton, muscle.tension.tail<1>()[0]},
-                                 {"largest_tension", units::kNewton, muscle.tension.maxCoeff()}});
-    if (!muscle.contracts) continue;
+  return fields_of_each(scene.measures.pulls.muscles, [&](const PullMeasure& muscle) {
+    Fields fields{{"muscle", muscle.name},
+                  {"tension", units::kNewton, muscle.tension.tail<1>()[0]},
+                  {"largest_tension", units::kNewton, muscle.tension.maxCoeff()}};
+    if (!muscle.contracts) return fields;
     fields.add("excitation", muscle.excitation.tail<1>()[0]);
     fields.add("activation", muscle.activation.tail<1>()[0]);
-  }
-  return list;
+    return fields;
+  });
 }
 
 /// [J]

@@ -61,11 +61,10 @@ Json force_chart(const RungComparison& comparison, std::size_t pad, const std::s
 Json rung_banner(const RungComparison& comparison) {
   // A comparison without a sound finest run is not to be used.
   const std::string refusal = refusal_of(comparison);
-  const std::vector<std::string>& warnings = comparison.outcome.warnings;
   if (!refusal.empty()) return banner_block("Do not use this comparison", Json::array({refusal}));
   return used_banner(fmt::format("On the rung {} all contact problems were solved",
                                  comparison.runs[comparison.finest].rung),
-                     warnings);
+                     comparison.outcome.warnings);
 }
 
 std::string pad_name(const RungComparison& comparison, std::size_t pad) {

@@ -76,6 +76,32 @@ Json trial_table(const PredictedExperiment& one) {
       {{"search", true}});
 }
 
+/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
+Json prediction_sections(const PredictResult& result) {
+  Json sections = Json::array();
+  // Say first whether the specimen was fitted, as errors mean different things.
+  for (const PredictedExperiment& one : result.experiments) {
+    std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
+    if (one.prediction.calibrated_on_specimen)
+      text +=
+          " The subject that the fit started from has seen this specimen: the error is not that of "
+          "an unseen specimen.";
+    const Prediction turned = in_digit_axes(one.prediction, one.experiment);
+    Json blocks = Json::array({error_table(one)});
+    if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
+    blocks.push_back(
+        force_panels(turned, one.prediction.experiment +
+                                 ". Measured solid, predicted dashed; ellipses hold 95 % of the "
+                                 "predictive distribution: what is not known of the parameters, "
+                                 "and the noise"));
+    blocks.push_back(trial_table(one));
+    sections.push_back(section(fmt::format("prediction-{}", sections.size() + 1),
+                               one.prediction.experiment + ": measured and predicted forces", text,
+                               blocks));
+  }
+  return sections;
+}
+
 }  // namespace
 
 Json force_panels(const Prediction& prediction, const std::string& caption) {
@@ -131,36 +157,6 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
 Json caution_banner(const std::vector<std::string>& warnings) {
   return with(banner_block("Before trusting the predictions", warnings), {{"caution", true}});
 }
-
-namespace {
-
-/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
-Json prediction_sections(const PredictResult& result) {
-  Json sections = Json::array();
-  // Say first whether the specimen was fitted, as errors mean different things.
-  for (const PredictedExperiment& one : result.experiments) {
-    std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
-    if (one.prediction.calibrated_on_specimen)
-      text +=
-          " The subject that the fit started from has seen this specimen: the error is not that of "
-          "an unseen specimen.";
-    const Prediction turned = in_digit_axes(one.prediction, one.experiment);
-    Json blocks = Json::array({error_table(one)});
-    if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
-    blocks.push_back(
-        force_panels(turned, one.prediction.experiment +
-                                 ". Measured solid, predicted dashed; ellipses hold 95 % of the "
-                                 "predictive distribution: what is not known of the parameters, "
-                                 "and the noise"));
-    blocks.push_back(trial_table(one));
-    sections.push_back(section(fmt::format("prediction-{}", sections.size() + 1),
-                               one.prediction.experiment + ": measured and predicted forces", text,
-                               blocks));
-  }
-  return sections;
-}
-
-}  // namespace
 
 Json page_of(const PredictResult& result) {
   // Sum up by the relative error of each experiment.
