@@ -115,19 +115,6 @@ std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& 
   return learnt;
 }
 
-/// The settings with wider priors of axes.
-SourceText widened(SourceText file, double width) {
-  if (width == 1) return file;
-  for (const char* what : {"direction/?", "point/?"}) {
-    const bool tilt = what[0] == 'd';
-    file.text += fmt::format("\n[[parameter]]\nmatch = \"axis/*/{}\"\nsd_{} = {}\nrange_{} = {}\n",
-                             what, tilt ? "deg" : "mm", width * (tilt ? kTiltSd : kShiftSd),
-                             tilt ? "deg" : "mm", tilt ? 85.0 : 40 * width);
-  }
-  file.path += fmt::format(" (axes {} times as wide)", width);
-  return file;
-}
-
 }  // namespace
 
 TendonDigit thumb_of(const SourceText& source) {
@@ -143,6 +130,23 @@ DirectionErrors direction_errors(const Prediction& prediction) {
   return {mean, std::sqrt((angle - mean).square().sum() /
                           static_cast<double>(std::max<Eigen::Index>(1, angle.size() - 1)))};
 }
+
+namespace {
+
+/// The settings with wider priors of axes.
+SourceText widened(SourceText file, double width) {
+  if (width == 1) return file;
+  for (const char* what : {"direction/?", "point/?"}) {
+    const bool tilt = what[0] == 'd';
+    file.text += fmt::format("\n[[parameter]]\nmatch = \"axis/*/{}\"\nsd_{} = {}\nrange_{} = {}\n",
+                             what, tilt ? "deg" : "mm", width * (tilt ? kTiltSd : kShiftSd),
+                             tilt ? "deg" : "mm", tilt ? 85.0 : 40 * width);
+  }
+  file.path += fmt::format(" (axes {} times as wide)", width);
+  return file;
+}
+
+}  // namespace
 
 FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
                            const ThumbData& data) {
