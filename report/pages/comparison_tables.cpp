@@ -411,26 +411,23 @@ Json distribution_section(const Comparison& comparison) {
 
 Json abilities_section(const Comparison& comparison) {
   // Abilities of hands, then of each digit.
-  Json blocks = Json::array(
-      {table_block(
-           "What each hand can do without an object. Kapandji: the highest of ten places on the "
-           "hand "
-           "that the pad of the thumb meets. Robots have no such places: for them only the "
-           "fingertips "
-           "count that the thumb meets, or the digit that meets most. Workspace shared: volume "
-           "that the "
-           "opposing tip and any other tip reach, to two digits. Strongest tip: its force in the "
-           "direction of closing, digits half bent. Types of grasp: n/a where no approach ended in "
-           "a "
-           "pinch.",
-           {"hand", "reach [mm]:0", "Kapandji [of 10]:0", "thumb meets",
-            "workspace shared [cm\u00b3]:0", "strongest tip [N]:1", "types of grasp:0"},
-           ability_rows(comparison)),
-       table_block("Digits. Workspaces of tips that move in a plane or on a curve have "
-                   "no volume.",
-                   {"hand", "digit", "dimension:0", "workspace [cm\u00b3]", "error [cm\u00b3]",
-                    "force in closing [N]:1", "largest force [N]:1"},
-                   digit_rows(comparison))});
+  Json blocks = Json::array();
+  blocks.push_back(table_block(
+      "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
+      "that the pad of the thumb meets. Robots have no such places: for them only the fingertips "
+      "count that the thumb meets, or the digit that meets most. Workspace shared: volume that the "
+      "opposing tip and any other tip reach, to two digits. Strongest tip: its force in the "
+      "direction of closing, digits half bent. Types of grasp: n/a where no approach ended in a "
+      "pinch.",
+      {"hand", "reach [mm]:0", "Kapandji [of 10]:0", "thumb meets", "workspace shared [cm\u00b3]:0",
+       "strongest tip [N]:1", "types of grasp:0"},
+      ability_rows(comparison)));
+  blocks.push_back(
+      table_block("Digits. Workspaces of tips that move in a plane or on a curve have "
+                  "no volume.",
+                  {"hand", "digit", "dimension:0", "workspace [cm\u00b3]", "error [cm\u00b3]",
+                   "force in closing [N]:1", "largest force [N]:1"},
+                  digit_rows(comparison)));
   // Types of grasp over all objects.
   const Json types = type_rows(comparison);
   if (!types.empty())

@@ -1,7 +1,5 @@
 #include "report/pages/prediction.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/units.h"

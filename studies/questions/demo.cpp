@@ -1,7 +1,5 @@
 #include "studies/questions/demo.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "api/named/files.h"
