@@ -4,6 +4,7 @@
 
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "data/io/scene/scene_pad.h"
 #include "posterior/hand_posterior.h"

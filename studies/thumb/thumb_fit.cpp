@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "studies/thumb/drawn_models.h"
 
 namespace thenar::internal {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/special_functions.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "sampling/diagnostics/order_statistics.h"

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/parallel_for.h"
 #include "base/random_stream.h"
 #include "base/units.h"
