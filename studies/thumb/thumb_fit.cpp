@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/lists.h"
+#include "posterior/run/predict_draws.h"
 #include "studies/thumb/drawn_models.h"
+#include "studies/thumb/thumb_truth.h"
 
 namespace thenar::internal {
 namespace {
