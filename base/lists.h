@@ -3,6 +3,7 @@
 /// Searches in lists, and transformations of lists.
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -24,12 +25,17 @@ template <typename List, typename Value>
   return found == std::end(list) ? -1 : static_cast<int>(found - std::begin(list));
 }
 
+/// Returns the first entry that passes a test; null: there is none.
+template <typename List, typename Test>
+[[nodiscard]] auto* find_where(List& list, const Test& test) {
+  const auto found = std::find_if(std::begin(list), std::end(list), test);
+  return found == std::end(list) ? nullptr : &*found;
+}
+
 /// Returns the first entry whose member `name` equals `name`; null: there is none.
 template <typename List>
 [[nodiscard]] auto* find_named(List& list, const std::string& name) {
-  const auto found = std::find_if(std::begin(list), std::end(list),
-                                  [&](const auto& each) { return each.name == name; });
-  return found == std::end(list) ? nullptr : &*found;
+  return find_where(list, [&](const auto& each) { return each.name == name; });
 }
 
 /// Returns the index of the first entry whose member `name` equals `name`; -1: there is none.
@@ -51,12 +57,12 @@ template <typename List, typename Test>
   return std::all_of(std::begin(list), std::end(list), test);
 }
 
-/// Returns the results of a function for each entry, in the order of the list.
+/// Returns the results of a function for each entry, or a member of each, in the order of the list.
 template <typename List, typename Make>
 [[nodiscard]] auto transformed(const List& list, const Make& make) {
-  std::vector<std::decay_t<decltype(make(*std::begin(list)))>> made;
+  std::vector<std::decay_t<decltype(std::invoke(make, *std::begin(list)))>> made;
   made.reserve(static_cast<std::size_t>(std::distance(std::begin(list), std::end(list))));
-  for (const auto& each : list) made.push_back(make(each));
+  for (const auto& each : list) made.push_back(std::invoke(make, each));
   return made;
 }
 

@@ -6,17 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
+
 namespace thenar {
-namespace {
-
-Json number_or_text(const std::string& cell) {
-  if (cell == "-" || cell == "inf" || cell == "-inf" || cell == "nan") return nullptr;
-  char* end = nullptr;
-  const double value = std::strtod(cell.c_str(), &end);
-  return !cell.empty() && *end == '\0' ? Json(value) : Json(cell);
-}
-
-}  // namespace
 
 BlockColumn::BlockColumn(const char* text) : name(text) {
   if (const std::size_t at = name.rfind(':'); at != std::string::npos && at + 2 == name.size()) {
@@ -67,20 +59,33 @@ Json table_block(const std::string& caption, const std::vector<BlockColumn>& col
   return {{"type", "table"}, {"caption", caption}, {"columns", heads}, {"rows", std::move(rows)}};
 }
 
+Json json_of_cell(const std::string& cell) {
+  if (cell == "-" || cell == "inf" || cell == "-inf" || cell == "nan") return nullptr;
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  return !cell.empty() && *end == '\0' ? Json(value) : Json(cell);
+}
+
+std::vector<BlockColumn> columns_of(const Table& table) {
+  return transformed(table.header, [](const std::string& name) { return BlockColumn(name, ""); });
+}
+
 Json table_block(const std::string& caption, const Table& table) {
-  std::vector<BlockColumn> columns;
-  for (const std::string& name : table.header) columns.push_back({name, ""});
-  Json rows = Json::array();
-  for (const std::vector<std::string>& cells : table.rows) {
-    Json line = Json::array();
-    for (const std::string& cell : cells) line.push_back(number_or_text(cell));
-    rows.push_back(std::move(line));
-  }
-  return table_block(caption, columns, rows);
+  const auto line = [](const auto& cells) { return list_of_each(cells, json_of_cell); };
+  return table_block(caption, columns_of(table), list_of_each(table.rows, line));
 }
 
 Json banner_block(const std::string& title, Json reasons, bool ok) {
   return {{"type", "banner"}, {"ok", ok}, {"title", title}, {"reasons", std::move(reasons)}};
+}
+
+Json refusal_banner(const std::string& refusal, const std::vector<std::string>& warnings,
+                    const std::string& failed_title, const std::string& title) {
+  std::vector<std::string> reasons = warnings;
+  if (!refusal.empty()) reasons.insert(reasons.begin(), refusal);
+  const bool ok = refusal.empty();
+  return with(banner_block(ok ? title : failed_title, reasons, ok),
+              {{"caution", ok && !reasons.empty()}});
 }
 
 Json with(Json block, const Json& more) {
@@ -88,10 +93,22 @@ Json with(Json block, const Json& more) {
   return block;
 }
 
+Json joined(Json list, const Json& more) {
+  for (const Json& each : more) list.push_back(each);
+  return list;
+}
+
 Json curve_json(const std::string& name, Json x, Json y, const std::string& style) {
   Json curve{{"name", name}, {"x", std::move(x)}, {"y", std::move(y)}};
   if (!style.empty()) curve["style"] = style;
   return curve;
+}
+
+Json& entry_named(Json& list, const char* key, const std::string& name, const char* parts) {
+  for (Json& entry : list)
+    if (entry[key] == name) return entry;
+  list.push_back({{key, name}, {parts, Json::array()}});
+  return list.back();
 }
 
 Json layer(const std::string& name, const std::string& color, Json items) {
@@ -113,13 +130,9 @@ Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale) {
   const bool usable = std::isfinite(scale) && scale > 0;
   const int decimals =
       usable ? std::clamp(3 - static_cast<int>(std::floor(std::log10(scale))), 0, 15) : 6;
-  Json list = Json::array();
-  for (const double value : values)
-    if (std::isfinite(value))
-      list.push_back(std::stod(fmt::format("{:.{}f}", value, decimals)));
-    else
-      list.push_back(nullptr);
-  return list;
+  return list_of_each(values, [&](double value) {
+    return std::isfinite(value) ? Json(std::stod(fmt::format("{:.{}f}", value, decimals))) : Json();
+  });
 }
 
 }  // namespace thenar

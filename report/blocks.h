@@ -35,11 +35,24 @@ struct BlockColumn {
 [[nodiscard]] Json row_block(Json blocks);
 /// Returns a banner that says whether the content below is reliable, and why not.
 [[nodiscard]] Json banner_block(const std::string& title, Json reasons, bool ok = false);
+/// Returns a banner of a result: red with the refusal, which is the first reason; amber with
+/// warnings alone. @param title  where there is no refusal
+[[nodiscard]] Json refusal_banner(const std::string& refusal,
+                                  const std::vector<std::string>& warnings,
+                                  const std::string& failed_title, const std::string& title);
 /// Returns a block with further members: {{"search", true}}.
 [[nodiscard]] Json with(Json block, const Json& more);
+/// Returns a list followed by `more`.
+[[nodiscard]] Json joined(Json list, const Json& more);
 /// Returns one series of a chart. @param style  "points", "both"; empty: lines
 [[nodiscard]] Json curve_json(const std::string& name, Json x, Json y,
                               const std::string& style = "");
+/// Returns one series with a point for each item. @param x, y  functions or members of an item
+template <typename Items, typename X, typename Y>
+[[nodiscard]] Json curve_of_each(const std::string& name, const Items& items, const X& x,
+                                 const Y& y, const std::string& style = "") {
+  return curve_json(name, list_of_each(items, x), list_of_each(items, y), style);
+}
 /// Returns a chart of curves. @param series  list of curve_json()
 [[nodiscard]] Json lines_block(const std::string& caption, const std::string& x_label,
                                const std::string& y_label, Json series);
@@ -50,8 +63,17 @@ struct BlockColumn {
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
 
-/// Returns a printed table as a block: cells with numbers become numbers, "-" becomes null.
+/// Returns a cell as a number where it is one; "-" and what is not finite become null.
+[[nodiscard]] Json json_of_cell(const std::string& cell);
+/// Returns columns with the names of a printed table.
+[[nodiscard]] std::vector<BlockColumn> columns_of(const Table& table);
+/// Returns a printed table as a block, its cells by json_of_cell().
 [[nodiscard]] Json table_block(const std::string& caption, const Table& table);
+
+/// Returns the entry of a list that has a name under a key; adds one with an empty list of `parts`
+/// if there is none.
+[[nodiscard]] Json& entry_named(Json& list, const char* key, const std::string& name,
+                                const char* parts);
 
 /// Returns a layer of a scene: items of one colour that are shown and hidden together.
 [[nodiscard]] Json layer(const std::string& name, const std::string& color, Json items);

@@ -1,6 +1,5 @@
 #include "report/fields.h"
 
-#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -10,9 +9,8 @@ namespace {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 OrderedJson list_of(const std::vector<Fields>& parts, UnitSystem system) {
-  OrderedJson list = OrderedJson::array();
-  for (const Fields& part : parts) list.push_back(json_of(part, system));
-  return list;
+  return list_of_each<OrderedJson>(parts,
+                                   [&](const Fields& part) { return json_of(part, system); });
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields

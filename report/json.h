@@ -3,6 +3,7 @@
 /// Vectors, matrices and named numbers as JSON, and JSON as text. Infinite numbers become null.
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,14 @@ template <typename Derived>
   for (std::size_t i = 0; i < names.size(); ++i)
     object[names[i]] = values(static_cast<Eigen::Index>(i));
   return object;
+}
+
+/// Returns a list with the result of a function for each item, or a member of each.
+template <typename List = Json, typename Items, typename Make>
+[[nodiscard]] List list_of_each(const Items& items, const Make& make) {
+  List list = List::array();
+  for (const auto& item : items) list.push_back(std::invoke(make, item));
+  return list;
 }
 
 /// Returns JSON as text. Bytes that are not UTF-8, for example in file names, become U+FFFD.

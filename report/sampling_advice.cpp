@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -85,7 +87,7 @@ std::vector<std::string> with_options(const std::vector<std::string>& arguments,
   // Leave out the options that change, with their values, then add the new ones.
   std::vector<std::string> out;
   const auto changed = [&](const std::string& argument) {
-    return std::any_of(changes.begin(), changes.end(), [&](const auto& change) {
+    return any_of(changes, [&](const auto& change) {
       return argument == change.first || argument.rfind(change.first + "=", 0) == 0;
     });
   };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "base/words.h"
@@ -14,8 +15,7 @@ namespace thenar {
 namespace {
 
 std::string summary(const Subject& subject) {
-  std::vector<std::string> digits;
-  for (const Digit& digit : subject.digits) digits.push_back(digit.name);
+  const std::vector<std::string> digits = transformed(subject.digits, &Digit::name);
   std::string text = fmt::format(
       "subject '{}': {}, {}, {}, {}", subject.name, counted(subject.segments.size(), "segment"),
       counted(subject.joints.size(), "joint"), counted(subject.muscles.size(), "muscle"),
@@ -59,10 +59,9 @@ std::string summary(const DigitVariability& digit) {
 }
 
 std::string summary(const PinchLosses& losses) {
-  std::vector<std::string> nerves;
-  for (const NerveBlock& block : losses.blocks) nerves.push_back(block.nerve);
   return fmt::format("losses of pinch '{}': {} under {} ({})", losses.name, losses.digit,
-                     counted(losses.blocks.size(), "nerve block"), listed(nerves));
+                     counted(losses.blocks.size(), "nerve block"),
+                     listed(transformed(losses.blocks, &NerveBlock::nerve)));
 }
 
 std::string summary(const NetDescription& net) {
@@ -90,10 +89,9 @@ std::string summary(const BodySpec& body) {
 std::string summary(const WorldSpec& world) {
   std::size_t objects = 0;
   for (const PlacedBody& placed : world.bodies) objects += placed.dynamic ? 1 : 0;
-  std::vector<std::string> hands;
-  for (const PlacedHand& hand : world.hands) hands.push_back(hand.name);
-  return fmt::format("world '{}': {} ({}), {}, {}", world.name, counted(hands.size(), "hand"),
-                     listed(hands), counted(objects, "object"),
+  return fmt::format("world '{}': {} ({}), {}, {}", world.name, counted(world.hands.size(), "hand"),
+                     listed(transformed(world.hands, &PlacedHand::name)),
+                     counted(objects, "object"),
                      counted(world.bodies.size() - objects, "obstacle"));
 }
 

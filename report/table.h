@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 /// Rows of cells under a header with units: "angle_deg".
@@ -49,6 +51,12 @@ template <typename Vector>
 template <typename List, typename Index>
 [[nodiscard]] auto& nth(List&& list, Index i) {
   return list[static_cast<std::size_t>(i)];
+}
+
+/// Returns each name with an ending: "PIP3_deg".
+template <typename Names>
+[[nodiscard]] std::vector<std::string> with_ending(const Names& names, const std::string& ending) {
+  return transformed(names, [&](const std::string& name) { return name + ending; });
 }
 
 /// Returns a row that concatenates lists of cells.

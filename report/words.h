@@ -2,6 +2,7 @@
 
 /// Phrases that several results share.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,14 @@
 namespace thenar {
 
 /// Returns the words on each item, joined: "FDP 0.12, LU 0.03". @param words  returns the words on
-/// one item
+/// one item, or is a member of it
 template <typename Items, typename Words>
 [[nodiscard]] std::string each_in_words(const Items& items, const Words& words,
                                         const std::string& between = ", ") {
   std::string text;
   bool first = true;
   for (const auto& item : items) {
-    text += (first ? "" : between) + words(item);
+    text += (first ? "" : between) + std::invoke(words, item);
     first = false;
   }
   return text;

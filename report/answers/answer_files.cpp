@@ -1,6 +1,5 @@
 #include "report/answers/answer_files.h"
 
-#include <type_traits>
 #include <utility>
 #include <variant>
 

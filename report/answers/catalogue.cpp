@@ -1,6 +1,6 @@
 #include "report/answers/catalogue.h"
 
-#include <algorithm>
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -8,8 +8,7 @@ namespace {
 
 /// Names of one kind; sources where there are some.
 Table table_of_kind(const std::vector<CatalogueEntry>& entries) {
-  const bool sources = std::any_of(entries.begin(), entries.end(),
-                                   [](const CatalogueEntry& each) { return !each.source.empty(); });
+  const bool sources = any_of(entries, [](const auto& each) { return !each.source.empty(); });
   Table table{{entries.front().kind, "about"}};
   if (sources) table.header.emplace_back("source");
   for (const CatalogueEntry& entry : entries) {
@@ -35,14 +34,13 @@ std::string text_of(const Catalogue& catalogue) {
 }
 
 OrderedJson json_of(const Catalogue& catalogue) {
-  OrderedJson list = OrderedJson::array();
-  for (const CatalogueEntry& entry : catalogue.entries)
-    list.push_back({{"kind", entry.kind},
-                    {"name", entry.name},
-                    {"about", entry.about},
-                    {"source", entry.source},
-                    {"file", entry.file}});
-  return list;
+  return list_of_each<OrderedJson>(catalogue.entries, [](const CatalogueEntry& entry) {
+    return OrderedJson{{"kind", entry.kind},
+                       {"name", entry.name},
+                       {"about", entry.about},
+                       {"source", entry.source},
+                       {"file", entry.file}};
+  });
 }
 
 Table table_of(const Catalogue& catalogue) {

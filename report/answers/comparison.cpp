@@ -95,8 +95,7 @@ Table cell_table(const Comparison& comparison) {
   std::vector<std::string> unknown;
   for (const HandOnObject& cell : comparison.cells)
     unknown.push_back(unknown_words(cell, comparison.tasks));
-  if (std::all_of(unknown.begin(), unknown.end(), [](const auto& each) { return each.empty(); }))
-    return table;
+  if (all_of(unknown, [](const auto& each) { return each.empty(); })) return table;
   table.header.emplace_back("not_known");
   for (std::size_t i = 0; i < unknown.size(); ++i) table.rows[i].push_back(unknown[i]);
   return table;

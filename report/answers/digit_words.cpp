@@ -21,9 +21,8 @@ std::string standing_angles(const DigitResult& about) {
   std::string text;
   if (about.grid.postures.empty()) return text;
   const Eigen::VectorXd& q = about.grid.postures.front();
-  const std::vector<int>& varied = about.grid.varied;
   for (int i = 0; i < static_cast<int>(q.size()); ++i)
-    if (std::count(varied.begin(), varied.end(), i) == 0)
+    if (!contains(about.grid.varied, i))
       text += fmt::format(" {}={:.4g}", nth(about.rows, i), q[i] / kDegree);
   return text;
 }
@@ -84,18 +83,17 @@ Fields digit_fields(const DigitResult& about,
       fields.add("map", about.map);
     fields.add("fidelity", about.built);
     if (about.outcome.done > 0) add(0, fields);
-    fields.add("warnings", about.outcome.warnings);
-    return fields;
+  } else {
+    fields.add("fidelity", about.built);
+    fields.add("varied", axes_of(about).names);
+    std::vector<Fields> postures(about.outcome.done);
+    for (std::size_t i = 0; i < about.outcome.done; ++i) {
+      add_posture(i, postures[i]);
+      add(i, postures[i]);
+    }
+    fields.add("postures", std::move(postures));
+    if (about.outcome.done < about.outcome.asked) fields.add("stopped_before", about.outcome.asked);
   }
-  fields.add("fidelity", about.built);
-  fields.add("varied", axes_of(about).names);
-  std::vector<Fields> postures(about.outcome.done);
-  for (std::size_t i = 0; i < about.outcome.done; ++i) {
-    add_posture(i, postures[i]);
-    add(i, postures[i]);
-  }
-  fields.add("postures", std::move(postures));
-  if (about.outcome.done < about.outcome.asked) fields.add("stopped_before", about.outcome.asked);
   fields.add("warnings", about.outcome.warnings);
   return fields;
 }
@@ -105,19 +103,14 @@ SweepAxes axes_of(const DigitResult& about) {
 }
 
 std::vector<std::string> joint_header(const DigitResult& about) {
-  std::vector<std::string> header;
-  if (!about.map.empty()) return header;
-  for (const std::string& joint : about.rows) header.push_back(joint + "_deg");
-  return header;
+  return about.map.empty() ? with_ending(about.rows, "_deg") : std::vector<std::string>{};
 }
 
 std::vector<std::string> joint_cells(const Eigen::VectorXd& q) {
-  std::vector<std::string> cells;
-  for (const double angle : q) {
+  return transformed(q, [](double angle) {
     const double degrees_now = angle / kDegree;
-    cells.push_back(fmt::format("{:.10g}", std::abs(degrees_now) < 1e-9 ? 0 : degrees_now));
-  }
-  return cells;
+    return fmt::format("{:.10g}", std::abs(degrees_now) < 1e-9 ? 0 : degrees_now);
+  });
 }
 
 }  // namespace thenar

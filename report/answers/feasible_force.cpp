@@ -71,8 +71,7 @@ std::string price_cell(const FeasibleForcePoint& point, Index i) {
 }
 
 Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set, const LoadWords& words) {
-  Table table{{"vertex"}};
-  for (const std::string& name : axes.names) table.header.push_back(name + words.suffix);
+  Table table{row({{"vertex"}, with_ending(axes.names, words.suffix)})};
   const Eigen::MatrixX3d vertices = set.vertices * axes.to_world;
   for (Index k = 0; k < vertices.rows(); ++k)
     table.add_parts({{std::to_string(k + 1)}, cells(vertices.row(k), 3 + words.more_decimals)});
@@ -93,11 +92,10 @@ std::vector<Fields> limit_fields(const FeasibleForceResult& answer,
                                  const FeasibleForcePoint& point) {
   std::vector<Fields> list;
   const ForceLimitPrices& prices = point.largest->prices;
+  const std::string price = price_header(answer.request.load);
   for (const Index i : limiting_muscles(point)) {
-    const std::string price = price_header(answer.request.load);
-    Fields& limit = list.emplace_back();
-    limit.add("muscle", nth(answer.muscles, i));
-    limit.add(price, prices.increase(i));
+    Fields& limit =
+        list.emplace_back(Fields{{"muscle", nth(answer.muscles, i)}, {price, prices.increase(i)}});
     if (differs(prices, i)) limit.add(price + "_lost", prices.decrease(i));
   }
   return list;
@@ -379,11 +377,10 @@ ForceAxes axes_of_answer(const FeasibleForceResult& answer) {
 std::vector<std::string> largest_header(const FeasibleForceResult& answer, const ForceAxes& axes) {
   const LoadWords words = words_of(answer.request.load),
                   other = words_of(other_load(answer.request.load));
-  std::vector<std::string> header{"status", "component" + words.suffix};
-  for (const std::string& name : axes.names) header.push_back(name + words.suffix);
-  if (answer.request.most_other > 0)
-    for (const std::string& name : axes.names) header.push_back(name + other.suffix);
-  return header;
+  const std::vector<std::string> of_other = with_ending(axes.names, other.suffix);
+  return row({{"status", "component" + words.suffix},
+              with_ending(axes.names, words.suffix),
+              answer.request.most_other > 0 ? of_other : std::vector<std::string>{}});
 }
 
 std::vector<std::string> whole_header(const FeasibleForceResult& answer, const ForceAxes& axes) {
@@ -496,8 +493,7 @@ std::string weak_words(const FeasibleForceResult& answer) {
 }
 
 bool with_whole(const FeasibleForceResult& answer) {
-  return std::any_of(answer.points.begin(), answer.points.end(),
-                     [](const FeasibleForcePoint& point) { return point.whole.has_value(); });
+  return any_of(answer.points, [](const auto& point) { return point.whole.has_value(); });
 }
 
 bool makes_force(const FeasibleForcePoint& point) {

@@ -62,22 +62,20 @@ std::vector<Fields> left_out_fields(const FitResult& result) {
 
 /// Every coordinate with its meaning, best known first.
 std::vector<Fields> learnt_fields(const Fit& fit) {
-  std::vector<Fields> list;
-  for (const int i : sorted_by_sd(fit.covariance)) {
+  return fields_of_each(sorted_by_sd(fit.covariance), [&](const int i) {
     const CoordinateEstimate& one = nth(fit.covariance.learnt, i);
-    Fields& fields =
-        list.emplace_back(Fields{{"name", one.name},
-                                 {"meaning", meaning_of(one.name, fit.problem.digit())},
-                                 {"estimate_prior_sds", one.z},
-                                 {"sd_prior_sds", one.sd},
-                                 {"at_bound", one.at_bound}});
+    Fields fields{{"name", one.name},
+                  {"meaning", meaning_of(one.name, fit.problem.digit())},
+                  {"estimate_prior_sds", one.z},
+                  {"sd_prior_sds", one.sd},
+                  {"at_bound", one.at_bound}};
     if (const auto value = value_in_unit(fit, i))
       fields.append({{"value", value->value},
                      {"sd", value->sd},
                      {"prior_sd", value->prior_sd},
                      {"unit", value->unit}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 std::string learnt_text(const Fit& fit) {
@@ -190,8 +188,7 @@ std::string noise_words(const FitResult& result, std::size_t e) {
 /// "prior sds as the forces ask for: tendons x 0.01, .."; empty where they are as stated.
 std::string scale_text(const Fit& fit) {
   const std::vector<ScaledPriors>& scales = fit.problem.parameters().scales;
-  if (std::all_of(scales.begin(), scales.end(), [](const auto& each) { return each.factor == 1; }))
-    return "";
+  if (all_of(scales, [](const auto& each) { return each.factor == 1; })) return "";
   return fmt::format("prior sds as the forces ask for: {}\n",
                      each_in_words(scales, [](const ScaledPriors& scale) {
                        return fmt::format("{} x {:.4g}", scale.name, scale.factor);
@@ -234,9 +231,8 @@ Fields choice_fields(const ChosenSettings& chosen) {
                        {"chosen", choice.value()}});
   for (const TriedSettings& one : chosen.tried)
     tried.push_back({{"chosen", one.chosen}, {"loss", one.loss}, {"relative_error", one.error}});
-  std::vector<std::string> by;
-  for (const LeaveOut what : chosen.by) by.emplace_back(name_of(what));
-  return {{"by", by},
+  const auto name = [](LeaveOut what) { return std::string(name_of(what)); };
+  return {{"by", transformed(chosen.by, name)},
           {"loss", chosen.tried.empty() ? kNaN : chosen.loss},
           {"relative_error", chosen.tried.empty() ? kNaN : chosen.error},
           {"complete", chosen.status != Status::kStopped},
@@ -332,9 +328,8 @@ Fields fields_of(const FitResult& result) {
     folds.emplace_back(choice_fields(fold.settings)).add("fold", fold.fold);
   fields.add_some("fold_settings", std::move(folds));
   // Directions that the prior alone decides.
-  std::vector<std::string> open;
-  for (const NullDirection& null : fit.covariance.null_directions) open.push_back(null.text);
-  if (!open.empty()) fields.add("not_identifiable", open);
+  if (const auto& open = fit.covariance.null_directions; !open.empty())
+    fields.add("not_identifiable", transformed(open, &NullDirection::text));
   fields.add_some("left_out", left_out_fields(result));
   if (Fields rows = hood_row_fields(result); !rows.all().empty())
     fields.add("hood_rows", std::move(rows));

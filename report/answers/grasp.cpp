@@ -97,29 +97,26 @@ std::string joints_text(const GraspResult& result) {
 // ---- fields
 
 std::vector<Fields> coordinate_fields(const GraspResult& result) {
-  std::vector<Fields> list;
-  for (const JointRow& row : joint_rows(result))
-    list.push_back({{"coordinate", row.name},
-                    {"kind", row.slides ? "slides" : "turns"},
-                    {"value", row.slides ? units::kMetreBare : units::kRadianBare, row.value},
-                    {"stopped_by", row.stopped_by},
-                    {"why", row.reason}});
-  return list;
+  return fields_of_each(joint_rows(result), [](const JointRow& row) {
+    return Fields{{"coordinate", row.name},
+                  {"kind", row.slides ? "slides" : "turns"},
+                  {"value", row.slides ? units::kMetreBare : units::kRadianBare, row.value},
+                  {"stopped_by", row.stopped_by},
+                  {"why", row.reason}};
+  });
 }
 
 std::vector<Fields> contact_fields(const GraspResult& result) {
-  std::vector<Fields> list;
-  for (const HandContact& found : result.grasp.contacts) {
+  return fields_of_each(result.grasp.contacts, [&](const HandContact& found) {
     const LinkSurface& surface = surface_of(result, found);
-    list.push_back({{"surface", surface.name},
-                    {"digit", surface.digit},
-                    {"position", units::kMetre, found.contact.p},
-                    {"normal", units::kOne, found.contact.n},
-                    {"friction", found.contact.friction},
-                    {"torsion", units::kMetre, found.contact.torsion},
-                    {"patch", found.contact.patch}});
-  }
-  return list;
+    return Fields{{"surface", surface.name},
+                  {"digit", surface.digit},
+                  {"position", units::kMetre, found.contact.p},
+                  {"normal", units::kOne, found.contact.n},
+                  {"friction", found.contact.friction},
+                  {"torsion", units::kMetre, found.contact.torsion},
+                  {"patch", found.contact.patch}};
+  });
 }
 
 /// The grasp matrix with what its rows and columns are.
@@ -310,10 +307,8 @@ Fields fields_of(const GraspResult& result) {
     fields.add("torque_scale", units::kMetre, result.setting.setup.object.torque_scale);
     fields.append(quality_fields(grasp.quality));
     if (result.measures) fields.append(fields_of(*result.measures));
-    if (result.robustness)
-      fields.add("robustness", robustness_fields(result));
-    else
-      fields.add("robustness", nullptr);
+    fields.add(result.robustness ? Field("robustness", robustness_fields(result))
+                                 : Field("robustness", nullptr));
     if (result.request.wrench_meshes) fields.add("wrench_set", wrench_set_fields(result));
     fields.add("contact_model", contact_model_of(result));
     fields.add("contacts", contact_fields(result));

@@ -197,7 +197,7 @@ Fields robustness_fields(const GraspResult& result) {
   Fields contacts = share_fields(result.robustness->contacts),
          pose = share_fields(result.robustness->pose);
   contacts.append({{"friction_sd_of_log", asked.contacts.friction},
-                   {"place_sd", units::kMetre, asked.contacts.place},
+                   {"place_sd", units::kMetre, asked.contacts.position},
                    {"tilt_sd", units::kRadian, asked.contacts.tilt}});
   pose.append({{"place_sd", units::kMetre, asked.place}, {"turn_sd", units::kRadian, asked.turn}});
   return {{"draws", asked.draws},
@@ -213,7 +213,7 @@ std::vector<MeasureRow> robustness_rows(const GraspResult& result) {
        fmt::format("{} draws of seed {}; standard deviations: friction {:.0f} %, positions {:.1f} "
                    "mm, normals {:.1f} deg",
                    asked.draws, result.request.seed, 100 * asked.contacts.friction,
-                   1000 * asked.contacts.place, asked.contacts.tilt / kDegree)},
+                   1000 * asked.contacts.position, asked.contacts.tilt / kDegree)},
       {"robustness to the object's pose", share_words(result.robustness->pose),
        fmt::format("{} draws of seed {}; standard deviations: {:.1f} mm and {:.1f} deg an axis; "
                    "grasped anew. Jaws centre the object, but do not turn it flush, so that "

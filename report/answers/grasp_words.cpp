@@ -1,5 +1,6 @@
 #include "report/answers/grasp_words.h"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,6 +18,11 @@ constexpr double kClearanceErrorShare = 1.0 / 4;
 const std::string& name_of(const Hand& hand, int surface) {
   return hand.surfaces()[static_cast<std::size_t>(surface)].name;
 }
+
+/// Why coordinates stop that no limit and no contact stops.
+constexpr std::array kStopWords{EnumName{StoppedBy::kNothing, "free"},
+                                EnumName{StoppedBy::kCoupling, "coupled with one that is stopped"},
+                                EnumName{StoppedBy::kNoDrive, "nothing drives it"}};
 
 /// Gaps with the setup, and between all surfaces that may meet.
 std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const GraspSetup& setup) {
@@ -71,23 +77,13 @@ std::vector<std::string> stop_words(const CollisionHand& hand, const ClosedHand&
   // A coordinate that stopped at a limit says at which one.
   for (int c = 0; c < static_cast<int>(closed.stopped.size()); ++c) {
     const double above = closed.q[c] - layout.lower[c], below = layout.upper[c] - closed.q[c];
-    switch (closed.stopped[static_cast<std::size_t>(c)]) {
-      case StoppedBy::kNothing:
-        words.emplace_back("free");
-        break;
-      case StoppedBy::kLimit:
-        words.emplace_back(below <= above ? "at its upper limit" : "at its lower limit");
-        break;
-      case StoppedBy::kContact:
-        words.push_back(contact_words(hand, c, touching));
-        break;
-      case StoppedBy::kCoupling:
-        words.emplace_back("coupled with one that is stopped");
-        break;
-      case StoppedBy::kNoDrive:
-        words.emplace_back("nothing drives it");
-        break;
-    }
+    const StoppedBy by = closed.stopped[static_cast<std::size_t>(c)];
+    if (by == StoppedBy::kLimit)
+      words.emplace_back(below <= above ? "at its upper limit" : "at its lower limit");
+    else if (by == StoppedBy::kContact)
+      words.push_back(contact_words(hand, c, touching));
+    else
+      words.push_back(name_in(kStopWords, by));
   }
   return words;
 }

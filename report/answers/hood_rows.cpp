@@ -1,6 +1,5 @@
 #include "report/answers/hood_rows.h"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -57,8 +56,7 @@ std::vector<std::string> muscles_of(const std::vector<HoodRow>& rows) {
   std::vector<std::string> names;
   for (const HoodRow& row : rows)
     for (const MuscleError& one : row.errors.muscles)
-      if (std::find(names.begin(), names.end(), one.muscle) == names.end())
-        names.push_back(one.muscle);
+      if (!contains(names, one.muscle)) names.push_back(one.muscle);
   return names;
 }
 

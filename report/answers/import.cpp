@@ -62,21 +62,20 @@ std::vector<Fields> dof_fields(const RobotSpec& robot) {
 }
 
 std::vector<Fields> joint_fields(const RobotSpec& robot) {
-  std::vector<Fields> list;
-  for (const RobotJoint& joint : robot.joints) {
-    Fields& fields = list.emplace_back(Fields{{"name", joint.name},
-                                              {"kind", name_of(joint.kind)},
-                                              {"parent", joint.parent},
-                                              {"child", joint.child}});
-    if (joint.kind == RobotJointKind::kFixed) continue;
+  return fields_of_each(robot.joints, [&](const RobotJoint& joint) {
+    Fields fields{{"name", joint.name},
+                  {"kind", name_of(joint.kind)},
+                  {"parent", joint.parent},
+                  {"child", joint.child}};
+    if (joint.kind == RobotJointKind::kFixed) return fields;
     const FieldUnit unit = slides(joint) ? units::kMetreBare : units::kRadianBare;
     fields.append({{"dof", joint.dof},
                    {"ratio", joint.ratio},
                    {"offset", unit, joint.offset},
                    {"lower", unit, joint.lower},
                    {"upper", unit, joint.upper}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 std::vector<Fields> link_fields(const RobotSpec& robot) {
@@ -100,9 +99,8 @@ OrderedJson leaf_places(const RobotSpec& robot) {
 
 /// @param placed  include the places of the shapes
 std::vector<Fields> shape_fields(const std::vector<ShapeSpec>& specs, bool placed = false) {
-  std::vector<Fields> list;
-  for (const ShapeSpec& shape : specs) {
-    Fields& fields = list.emplace_back(Fields{{"kind", name_of(shape.kind)}});
+  return fields_of_each(specs, [&](const ShapeSpec& shape) {
+    Fields fields{{"kind", name_of(shape.kind)}};
     if (shape.kind == ShapeKind::kMesh)
       fields.append({{"triangles", shape.mesh.triangles.cols()}, {"file", shape.mesh_file}});
     else
@@ -110,8 +108,8 @@ std::vector<Fields> shape_fields(const std::vector<ShapeSpec>& specs, bool place
     if (placed)
       fields.append(
           {{"position", units::kMetre, shape.X_BS.p}, {"rotation", units::kOne, shape.X_BS.R}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 /// The mass; none where nothing states it.
@@ -276,7 +274,7 @@ std::string text_of(const Imported& imported) {
   for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
   // Options of the command for what the warnings advise.
   const auto advised = [&](const char* word) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const OrderedJson& warning) {
+    return any_of(warnings, [&](const OrderedJson& warning) {
       return warning.get_ref<const std::string&>().find(word) != std::string::npos;
     });
   };

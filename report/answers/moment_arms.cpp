@@ -12,12 +12,6 @@ namespace {
 
 using Eigen::Index;
 
-std::vector<std::string> arm_header(const DigitResult& about) {
-  std::vector<std::string> header;
-  for (const std::string& joint : about.rows) header.push_back(joint + "_mm");
-  return header;
-}
-
 /// Arms of a muscle [mm], "-" at joints that it does not cross, and its change of length [mm].
 std::vector<std::string> arm_cells(const MomentArmResult& answer, const MomentArmPoint& point,
                                    Index muscle) {
@@ -46,7 +40,7 @@ void add_point(const MomentArmResult& answer, const MomentArmPoint& point, Field
 
 /// Arms of all muscles at one posture.
 Table arm_table(const MomentArmResult& answer, const MomentArmPoint& point) {
-  Table table{row({{"muscle"}, arm_header(answer), {"length_change_mm"}})};
+  Table table{row({{"muscle"}, with_ending(answer.rows, "_mm"), {"length_change_mm"}})};
   for (std::size_t m = 0; m < answer.muscles.size(); ++m)
     table.add_parts({{answer.muscles[m]}, arm_cells(answer, point, static_cast<Index>(m))});
   return table;
@@ -55,7 +49,7 @@ Table arm_table(const MomentArmResult& answer, const MomentArmPoint& point) {
 /// A muscle over the postures.
 Table muscle_table(const MomentArmResult& answer, Index muscle) {
   return posture_table(
-      answer, row({arm_header(answer), {"length_change_mm"}}),
+      answer, row({with_ending(answer.rows, "_mm"), {"length_change_mm"}}),
       [&](const MomentArmPoint& point) { return arm_cells(answer, point, muscle); });
 }
 
@@ -96,9 +90,9 @@ Fields fields_of(const MomentArmResult& answer) {
 }
 
 Table table_of(const MomentArmResult& answer) {
-  std::vector<std::string> arms;
-  for (const std::string& joint : answer.rows) arms.push_back("arm_" + joint + "_mm");
-  Table table{row({joint_header(answer), {"muscle"}, arms, {"length_change_mm"}})};
+  const auto arm = [](const std::string& joint) { return "arm_" + joint + "_mm"; };
+  Table table{
+      row({joint_header(answer), {"muscle"}, transformed(answer.rows, arm), {"length_change_mm"}})};
   for (const MomentArmPoint& point : answer.points)
     for (std::size_t m = 0; m < answer.muscles.size() && point.message.empty(); ++m)
       table.add_parts(

@@ -235,9 +235,7 @@ SweepAxes axes_of(const RobotPoses& poses) {
 }
 
 std::vector<NamedPlace> places_of(const SubjectPose& pose) {
-  std::vector<NamedPlace> places;
-  for (const TipPose& tip : pose.tips) places.push_back({tip.digit, tip.p});
-  return places;
+  return transformed(pose.tips, [](const TipPose& tip) { return NamedPlace{tip.digit, tip.p}; });
 }
 
 std::vector<NamedPlace> places_of(const RobotPose& pose) {
@@ -260,11 +258,9 @@ Fields fields_of(const SubjectPoses& poses) {
 }
 
 Table table_of(const SubjectPoses& poses) {
-  std::vector<std::string> angles, conditions;
-  for (const std::string& joint : poses.coordinates) angles.push_back(joint + "_deg");
-  for (const TipPose& tip : poses.points.front().tips)
-    conditions.push_back(tip.digit + "_condition");
-  Table table{row({angles, place_header(places_of(poses.points.front())), conditions})};
+  const SubjectPose& first = poses.points.front();
+  Table table{row({with_ending(poses.coordinates, "_deg"), place_header(places_of(first)),
+                   with_ending(transformed(first.tips, &TipPose::digit), "_condition")})};
   for (const SubjectPose& pose : poses.points) {
     std::vector<std::string> line = row({joint_cells(pose.q), place_cells(places_of(pose), 6)});
     for (const TipPose& tip : pose.tips)

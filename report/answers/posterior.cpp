@@ -65,11 +65,10 @@ std::string checks_text(const PosteriorSummary& summary) {
   Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
                "within_95_pct", "chi_square", "numbers", "p"}};
   for (const auto& [prediction, check] : summary.experiments) {
-    std::vector<std::string> covered;
-    for (const Coverage& each : check.coverage) covered.push_back(shown(100 * each.share, 0));
+    const auto percent = [](const Coverage& each) { return shown(100 * each.share, 0); };
     table.add_parts({{prediction.experiment, shown(prediction.error.rms, 3),
                       shown(prediction.error.relative, 3)},
-                     covered,
+                     transformed(check.coverage, percent),
                      {shown(check.mean_chi_square, 1), std::to_string(check.rank_share.size()),
                       shown(check.p, 3)}});
   }
@@ -171,10 +170,9 @@ std::string modes_text(const PosteriorRun& run) {
 // As fields.
 
 std::vector<std::string> advice_lines(const PosteriorRun& run) {
-  std::vector<std::string> lines;
-  for (const SamplingAdvice& one : advise(run))
-    lines.push_back(one.command.empty() ? one.remedy : one.remedy + ": " + one.command);
-  return lines;
+  return transformed(advise(run), [](const SamplingAdvice& one) {
+    return one.command.empty() ? one.remedy : one.remedy + ": " + one.command;
+  });
 }
 
 /// Returns warnings about the inputs, and about noise that the draws found to be far larger than
@@ -243,34 +241,31 @@ Field offset_field(std::string key, const FieldUnit& unit, const Estimate& e) {
 }
 
 std::vector<Fields> axes_fields(const PosteriorResult& result) {
-  std::vector<Fields> list;
-  for (const PosteriorAxes& of : result.summary->axes) {
-    Fields& fields = list.emplace_back(
-        Fields{{"axes", of.axes.name},
-               {"meaning", distal_words(of, result.run.posterior->problem().digit())},
-               {"second_distal_probability", of.second_distal},
-               {"second_distal_prior_probability", of.second_distal_prior},
-               offset_field("angle", units::kDegree, of.angle),
-               offset_field("distance", units::kMillimetre, of.distance),
-               offset_field("second_distal", units::kMillimetre, of.beyond)});
+  return fields_of_each(result.summary->axes, [&](const PosteriorAxes& of) {
+    Fields fields{{"axes", of.axes.name},
+                  {"meaning", distal_words(of, result.run.posterior->problem().digit())},
+                  {"second_distal_probability", of.second_distal},
+                  {"second_distal_prior_probability", of.second_distal_prior},
+                  offset_field("angle", units::kDegree, of.angle),
+                  offset_field("distance", units::kMillimetre, of.distance),
+                  offset_field("second_distal", units::kMillimetre, of.beyond)};
     if (!of.whose.empty()) fields.add("specimen", of.whose);
-  }
-  return list;
+    return fields;
+  });
 }
 
 std::vector<Fields> modes_fields(const PosteriorRun& run) {
-  std::vector<Fields> list;
-  for (const ModeMass& mode : run.mode_table.modes) {
-    Fields& fields = list.emplace_back(Fields{{"mass", mode.mass},
-                                              {"mcse", mode.mcse},
-                                              {"crossings", mode.crossings},
-                                              {"visits", units::kOne, mode.visits}});
-    if (mode.known < 0) continue;
+  return fields_of_each(run.mode_table.modes, [&](const ModeMass& mode) {
+    Fields fields{{"mass", mode.mass},
+                  {"mcse", mode.mcse},
+                  {"crossings", mode.crossings},
+                  {"visits", units::kOne, mode.visits}};
+    if (mode.known < 0) return fields;
     const Mode& found = nth(run.modes, mode.known);
     fields.append(
         {{"cost", found.cost}, {"searches", found.hits}, {"laplace_mass", found.laplace_mass}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 Fields direction_fields(const LearntDirections& found) {

@@ -126,12 +126,8 @@ Fields fields_of(const DigitMotionResult& motion) {
 Table table_of(const DigitMotionResult& motion) {
   const TrajectoryTable numbers = trajectory_table(motion.trajectory);
   Table table{numbers.columns};
-  for (Eigen::Index i = 0; i < numbers.values.rows(); ++i) {
-    std::vector<std::string> cells;
-    for (Eigen::Index j = 0; j < numbers.values.cols(); ++j)
-      cells.push_back(fmt::format("{:.9g}", numbers.values(i, j) + 0.0));
-    table.add(std::move(cells));
-  }
+  const auto cell = [](double value) { return fmt::format("{:.9g}", value + 0.0); };
+  for (const auto& instant : numbers.values.rowwise()) table.add(transformed(instant, cell));
   return table;
 }
 

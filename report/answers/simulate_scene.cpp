@@ -145,9 +145,7 @@ OrderedJson passive_moments(const SceneResult& scene) {
     if (stops == nullptr) continue;
     for (std::size_t i = 0; i < stops->ranges().size(); ++i) {
       const int place = stops->places().q[i];
-      const auto c = static_cast<int>(
-          std::find(layout.coordinate_q.begin(), layout.coordinate_q.end(), place) -
-          layout.coordinate_q.begin());
+      const int c = place_in(layout.coordinate_q, place);
       // Add the linear part, which the mechanism has as springs.
       double moment = passive_moment(stops->ranges()[i], q[place]);
       bool some = !stops->ranges()[i].ends.empty();
@@ -163,9 +161,8 @@ OrderedJson passive_moments(const SceneResult& scene) {
 }
 
 std::vector<Fields> pair_fields(const SceneResult& scene) {
-  std::vector<Fields> list;
-  for (const PairMeasure& pair : scene.measures.pairs) {
-    Fields& fields = list.emplace_back(Fields{
+  return fields_of_each(scene.measures.pairs, [&](const PairMeasure& pair) {
+    Fields fields{
         {"bodies", std::vector<std::string>{body_name(scene, pair.a), body_name(scene, pair.b)}},
         {"slip", units::kMetre, pair.slip},
         {"first", units::kSecond, pair.first},
@@ -173,13 +170,13 @@ std::vector<Fields> pair_fields(const SceneResult& scene) {
         {"largest_force", units::kNewton, pair.largest_force},
         {"end_force", units::kNewton, pair.force},
         {"end_points", pair.points},
-        {"end", mode_word(pair)}});
+        {"end", mode_word(pair)}};
     if (is_pad(pair))
       fields.add("patch", Fields{{"area", units::kSquareMetre, pair.area},
                                  {"stick", pair.stick},
                                  {"torsion", units::kNewtonMetre, pair.torsion}});
-  }
-  return list;
+    return fields;
+  });
 }
 
 /// Muscles of human hands that pull at some instant.
@@ -194,17 +191,15 @@ Table muscle_table(const SceneResult& scene) {
 }
 
 std::vector<Fields> muscle_fields(const SceneResult& scene) {
-  std::vector<Fields> list;
-  for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
-    Fields& fields =
-        list.emplace_back(Fields{{"muscle", muscle.name},
-                                 {"tension", units::kNewton, muscle.tension.tail<1>()[0]},
-                                 {"largest_tension", units::kNewton, muscle.tension.maxCoeff()}});
-    if (!muscle.contracts) continue;
+  return fields_of_each(scene.measures.pulls.muscles, [&](const PullMeasure& muscle) {
+    Fields fields{{"muscle", muscle.name},
+                  {"tension", units::kNewton, muscle.tension.tail<1>()[0]},
+                  {"largest_tension", units::kNewton, muscle.tension.maxCoeff()}};
+    if (!muscle.contracts) return fields;
     fields.add("excitation", muscle.excitation.tail<1>()[0]);
     fields.add("activation", muscle.activation.tail<1>()[0]);
-  }
-  return list;
+    return fields;
+  });
 }
 
 /// [J]
@@ -366,19 +361,16 @@ Fields fields_of(const SceneSweepResult& sweep) {
 }
 
 Table table_of(const SceneSweepResult& sweep) {
-  std::vector<std::string> varied;
-  for (const SceneVariation& each : sweep.request.vary) varied.push_back(each.name);
   Table table{row(
-      {varied,
+      {transformed(sweep.request.vary, &SceneVariation::name),
        {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
         "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"}})};
   for (const SceneResult& scene : sweep.runs) {
-    std::vector<std::string> cells;
-    for (const auto& [name, value] : scene.varied) cells.push_back(fmt::format("{:.6g}", value));
+    const auto value = [](const auto& each) { return fmt::format("{:.6g}", each.second); };
     const SceneRun& run = scene.run;
     const RunMeasures& measures = scene.measures;
     table.add_parts(
-        {cells,
+        {transformed(scene.varied, value),
          {name_of(run.status), shown(simulated_seconds(scene)), shown(largest_slip(scene) / kMm),
           shown(run.cost.deepest / kMm), shown(1e3 * run.samples.back().energy.total()),
           shown(1e3 * measures.dissipated),

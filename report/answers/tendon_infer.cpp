@@ -193,11 +193,7 @@ Table table_of_free(const InferNetResult& inference) {
   return table;
 }
 
-}  // namespace
-
 // Where nothing but bands is open.
-
-namespace {
 
 /// The band's stiffness, if the data decide it.
 std::string stiffness(const BandVerdict& band) {
@@ -212,9 +208,7 @@ std::string evidence_words(double evidence) {
 }
 
 std::vector<std::string> names_of(const BandGroup& group, const InferredNet& inferred) {
-  std::vector<std::string> names;
-  for (const int c : group.bands) names.push_back(nth(inferred.verdicts, c).name);
-  return names;
+  return transformed(group.bands, [&](int c) { return nth(inferred.verdicts, c).name; });
 }
 
 Table band_verdict_table(const InferNetResult& inference) {
@@ -260,12 +254,10 @@ std::string next_in_words(const InferNetResult& inference) {
 }
 
 std::vector<std::string> groups_in_words(const InferredNet& inferred) {
-  std::vector<std::string> lines;
-  for (const BandGroup& group : inferred.groups) {
-    lines.push_back(fmt::format("The data cannot tell apart: {} ({} ways to have them).",
-                                listed(names_of(group, inferred)), group.ways.size()));
-  }
-  return lines;
+  return transformed(inferred.groups, [&](const BandGroup& group) {
+    return fmt::format("The data cannot tell apart: {} ({} ways to have them).",
+                       listed(names_of(group, inferred)), group.ways.size());
+  });
 }
 
 std::string text_of(const InferNetResult& inference) {

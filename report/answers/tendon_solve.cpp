@@ -204,11 +204,9 @@ std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
 
 std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
   if (loaded.net() == nullptr) return {};
-  std::vector<std::string> bands;
-  for (const NetBand& band : loaded.net()->net().net.bands) bands.push_back(band.name);
-  std::vector<SweepColumn> columns =
-      columns_of("tension_", bands, units::kNewton,
-                 [](const DigitPoint& p, Eigen::Index k) { return p.rest.tension[k]; });
+  std::vector<SweepColumn> columns = columns_of(
+      "tension_", transformed(loaded.net()->net().net.bands, &NetBand::name), units::kNewton,
+      [](const DigitPoint& p, Eigen::Index k) { return p.rest.tension[k]; });
   columns.insert(columns.begin(),
                  {"residual", units::kNewton, [](const DigitPoint& p) { return p.rest.residual; }});
   return columns;
@@ -257,7 +255,7 @@ std::string status_of(const LoadedDigit& loaded, const DigitPoint& point) {
   return net ? name_of(point.rest.status) : name_of(point.pull.status);
 }
 
-Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& points) {
+Table rows_of(const LoadedDigit& loaded, const std::vector<DigitPoint>& points) {
   const std::vector<SweepColumn> angles = angle_columns(loaded.bones().names),
                                  numbers = number_columns(loaded);
   const bool net = loaded.net() != nullptr;
@@ -269,16 +267,16 @@ Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& p
   table.header.emplace_back("trouble");
   for (const SweepColumn& column : numbers) table.header.push_back(column.name());
   // Rows.
-  for (const DigitPoint* point : points) {
+  for (const DigitPoint& point : points) {
     std::vector<std::string> cells;
     cells.reserve(table.header.size());
     for (const SweepColumn& column : angles)
-      cells.push_back(fmt::format("{:.10g}", column.printed(*point)));
-    cells.push_back(status_of(loaded, *point));
-    if (net) cells.emplace_back(point->snapped ? "1" : "0");
-    cells.push_back(point->pull.warning);
+      cells.push_back(fmt::format("{:.10g}", column.printed(point)));
+    cells.push_back(status_of(loaded, point));
+    if (net) cells.emplace_back(point.snapped ? "1" : "0");
+    cells.push_back(point.pull.warning);
     for (const SweepColumn& column : numbers)
-      cells.push_back(fmt::format("{:.10g}", column.printed(*point)));
+      cells.push_back(fmt::format("{:.10g}", column.printed(point)));
     table.add(std::move(cells));
   }
   return table;
@@ -360,7 +358,7 @@ Fields fields_of(const TendonSolveResult& solution) {
 }
 
 Table table_of(const TendonSolveResult& solution) {
-  return rows_of(solution.loaded, {&solution.point});
+  return rows_of(solution.loaded, {solution.point});
 }
 
 std::string text_of(const TendonSweepResult& sweep) {
@@ -369,8 +367,8 @@ std::string text_of(const TendonSweepResult& sweep) {
       {slip_columns(loaded), force_columns(loaded), torque_columns(loaded.bones().names)});
   Table table{{"quantity", "first", "last", "min", "max"}};
   for (const SweepColumn& column : columns) {
-    std::vector<double> values;
-    for (const DigitPoint& point : sweep.points) values.push_back(column.printed(point));
+    const std::vector<double> values =
+        transformed(sweep.points, [&](const DigitPoint& point) { return column.printed(point); });
     if (values.empty()) continue;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     table.add({column.name(), shown(values.front(), 4), shown(values.back(), 4), shown(*low, 4),
@@ -389,9 +387,7 @@ Fields fields_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   Fields fields = tendon_header(loaded);
   const auto add_each = [&](const std::string& key, const FieldUnit& unit, const auto& value) {
-    OrderedJson list = OrderedJson::array();
-    for (const DigitPoint& point : sweep.points) list.push_back(value(point));
-    fields.add(key, unit, std::move(list));
+    fields.add(key, unit, list_of_each<OrderedJson>(sweep.points, value));
   };
   add_each("status", units::kOne, [&](const DigitPoint& p) { return status_of(loaded, p); });
   if (loaded.net() != nullptr)
@@ -404,11 +400,7 @@ Fields fields_of(const TendonSweepResult& sweep) {
   return fields;
 }
 
-Table table_of(const TendonSweepResult& sweep) {
-  std::vector<const DigitPoint*> points;
-  for (const DigitPoint& point : sweep.points) points.push_back(&point);
-  return rows_of(sweep.loaded, points);
-}
+Table table_of(const TendonSweepResult& sweep) { return rows_of(sweep.loaded, sweep.points); }
 
 std::string refusal_of(const TendonSolveResult& solution) {
   const TendonTorque& pull = solution.point.pull;

@@ -43,14 +43,6 @@ ShownChains shown_chains(const Quantity& quantity) {
   return shown;
 }
 
-Json trace(const Eigen::Ref<const Eigen::VectorXd>& chain, const std::vector<Eigen::Index>& chosen,
-           double scale) {
-  Eigen::VectorXd points(static_cast<Eigen::Index>(chosen.size()));
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    points[static_cast<Eigen::Index>(k)] = chain[chosen[k]];
-  return rounded(points, scale);
-}
-
 /// Autocorrelations of the chains shown, and the mean time that all need to forget.
 struct Memory {
   Json rho = Json::array();  // autocorrelation at every `step`-th lag
@@ -74,11 +66,8 @@ Memory memory_of(const Quantity& quantity, const ShownChains& shown) {
   const auto wanted = static_cast<Eigen::Index>(8 * slowest);
   const Eigen::Index last = std::min(std::max<Eigen::Index>(wanted, 30), quantity.draws.rows() / 2);
   memory.step = std::max<Eigen::Index>(1, last / kLags);
-  for (const Eigen::Index c : shown.columns) {
-    Eigen::VectorXd points(last / memory.step + 1);
-    for (Eigen::Index k = 0; k < points.size(); ++k) points[k] = nth(rho, c)[k * memory.step];
-    memory.rho.push_back(rounded(points, 1));
-  }
+  const auto lags = Eigen::seqN(0, last / memory.step + 1, memory.step);
+  for (const Eigen::Index c : shown.columns) memory.rho.push_back(rounded(nth(rho, c)(lags), 1));
   return memory;
 }
 
@@ -105,15 +94,15 @@ Json number(double value, double scale) {
 Json quantity_of(const Quantity& quantity) {
   const ShownChains shown = shown_chains(quantity);
   const std::vector<Eigen::Index> chosen = spread(quantity.draws.rows(), kTracePoints);
-  Json traces = Json::array();
-  for (const Eigen::Index c : shown.columns)
-    traces.push_back(trace(quantity.draws.col(c), chosen, quantity.estimate.sd));
+  const auto trace = [&](Eigen::Index c) {
+    return rounded(quantity.draws.col(c)(chosen), quantity.estimate.sd);
+  };
   const Memory memory = memory_of(quantity, shown);
   Json out{{"name", quantity.name},
            {"r_hat", number(quantity.estimate.r_hat, 1)},
            {"bulk_ess", number(quantity.estimate.bulk_ess, 1000)},
            {"tail_ess", number(quantity.estimate.tail_ess, 1000)},
-           {"traces", traces},
+           {"traces", list_of_each(shown.columns, trace)},
            {"ranks", ranks_of(quantity, shown, memory.tau)},
            {"autocorrelation", memory.rho},
            {"lag_step", memory.step}};
@@ -164,8 +153,8 @@ CountBand rank_band(double draws, double chains, int bins, double tau) {
 bool worse(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; }
 
 std::vector<const Quantity*> worst_first(const std::vector<Quantity>& quantities) {
-  std::vector<const Quantity*> order;
-  for (const Quantity& quantity : quantities) order.push_back(&quantity);
+  std::vector<const Quantity*> order =
+      transformed(quantities, [](const Quantity& quantity) { return &quantity; });
   std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
     return worse(a->estimate.r_hat, b->estimate.r_hat);
   });
@@ -185,11 +174,9 @@ Json chains_block(const std::vector<Quantity>& quantities, const std::string& ca
             quantity.draws.cols(), quantities.front().name, quantities.front().draws.rows(),
             quantities.front().draws.cols());
   }
-  Json draws = Json::array();
-  for (const Eigen::Index i : spread(quantities.front().draws.rows(), kTracePoints))
-    draws.push_back(i + 1);
   block["chains"] = shown_chains(quantities.front()).names;
-  block["draws"] = draws;
+  block["draws"] = list_of_each(spread(quantities.front().draws.rows(), kTracePoints),
+                                [](Eigen::Index i) { return i + 1; });
   for (const Quantity* quantity : worst_first(quantities))
     block["quantities"].push_back(quantity_of(*quantity));
   return block;

@@ -98,9 +98,9 @@ Json calibration_chart(const CalibrationRanks& calibration) {
 }
 
 Json sampler_chart(const std::vector<SamplerCourse>& samplers) {
-  Json series = Json::array();
-  for (const SamplerCourse& sampler : samplers)
-    series.push_back(curve_json(sampler.name, sampler.seconds, sampler.error, "both"));
+  const Json series = list_of_each(samplers, [](const SamplerCourse& sampler) {
+    return curve_json(sampler.name, sampler.seconds, sampler.error, "both");
+  });
   return with(
       lines_block("Error of the posterior mean over wall time, warm-up included. Lower left is "
                   "better; a line that stays high has not found the posterior",

@@ -30,10 +30,7 @@ Eigen::VectorXd all_draws(const Quantity& quantity) {
 }
 
 Eigen::VectorXd some(const Eigen::VectorXd& x, Eigen::Index most) {
-  const std::vector<Eigen::Index> chosen = spread(x.size(), most);
-  Eigen::VectorXd out(static_cast<Eigen::Index>(chosen.size()));
-  for (std::size_t k = 0; k < chosen.size(); ++k) out[static_cast<Eigen::Index>(k)] = x[chosen[k]];
-  return out;
+  return x(spread(x.size(), most));
 }
 
 /// Information gained from the draws: 1 - sd / prior sd; 0 without a prior.
@@ -141,12 +138,10 @@ Json row_of(const Learning& what) {
 }  // namespace
 
 Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption) {
-  Json list = Json::array();
-  for (const Quantity& quantity : quantities) list.push_back(corner_quantity(quantity));
   return {{"type", "corner"},
           {"caption", caption},
           {"shown", shown_first(quantities)},
-          {"quantities", list}};
+          {"quantities", list_of_each(quantities, corner_quantity)}};
 }
 
 Json forest_block(const std::vector<Quantity>& quantities, const std::string& caption,
@@ -168,8 +163,7 @@ Json forest_block(const std::vector<Quantity>& quantities, const std::string& ca
 Json estimate_table(const std::vector<Quantity>& quantities, const std::string& caption) {
   std::vector<BlockColumn> columns{"quantity", "mean", "MCSE",    "sd",         "MCSE",      "5 %",
                                    "median",   "95 %", "R-hat:3", "bulk ESS:0", "tail ESS:0"};
-  const bool known = std::any_of(quantities.begin(), quantities.end(),
-                                 [](const Quantity& q) { return !q.meaning.empty(); });
+  const bool known = any_of(quantities, [](const Quantity& q) { return !q.meaning.empty(); });
   if (known) columns.emplace_back("meaning");
   Json rows = Json::array();
   for (const Quantity* quantity : worst_first(quantities)) {

@@ -56,9 +56,8 @@ std::string visits_of(const ModeMass& mode) {
 
 Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities, std::size_t most) {
   // Show the quantities in which modes differ most.
-  std::vector<ModeMeans> means;
-  means.reserve(quantities.size());
-  for (const Quantity& quantity : quantities) means.push_back(means_of(modes, quantity));
+  std::vector<ModeMeans> means =
+      transformed(quantities, [&](const Quantity& quantity) { return means_of(modes, quantity); });
   std::stable_sort(means.begin(), means.end(),
                    [](const ModeMeans& a, const ModeMeans& b) { return a.apart > b.apart; });
   means.resize(std::min(most, means.size()));

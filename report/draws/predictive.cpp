@@ -44,14 +44,6 @@ Json value_of(double measured, const Eigen::VectorXd& replicated, Counts& covera
           {"median", r[3]},   {"inner_high", r[4]}, {"high", r[5]}};
 }
 
-/// The group of a posture, made if there is none.
-Json& group_of(const std::string& posture, Json& groups) {
-  for (Json& group : groups)
-    if (group["name"] == posture) return group;
-  groups.push_back({{"name", posture}, {"rows", Json::array()}});
-  return groups.back();
-}
-
 }  // namespace
 
 Json predictive_block(const PredictedForces& predicted) {
@@ -68,7 +60,7 @@ Json predictive_block(const PredictedForces& predicted) {
     Json values = Json::array();
     for (int c = 0; c < experiment.components; ++c)
       values.push_back(value_of(trial.force[c], predicted.replicated.row(3 * i + c), coverage));
-    group_of(trial.posture, groups)["rows"].push_back(
+    entry_named(groups, "name", trial.posture, "rows")["rows"].push_back(
         {{"name", loads_of(trial)}, {"values", values}});
   }
   Json components = Json::array();

@@ -33,12 +33,11 @@ std::vector<std::string> sites_in_words(const Experiment& experiment) {
       ++trials;
       axes = trial.site->axes;
     }
-  std::vector<std::string> lines;
-  for (const auto& [at, site] : sites)
-    lines.push_back(
-        fmt::format("{} of {} trials: the load cell was at {}, forces in its axes of {}",
-                    site.first, experiment.trials.size(), at, site.second));
-  return lines;
+  return transformed(sites, [&](const auto& each) {
+    const auto& [at, site] = each;
+    return fmt::format("{} of {} trials: the load cell was at {}, forces in its axes of {}",
+                       site.first, experiment.trials.size(), at, site.second);
+  });
 }
 
 Section explain_protocol(const Experiment& experiment) {
@@ -52,7 +51,7 @@ Section explain_protocol(const Experiment& experiment) {
           : "hold pinned: the tip touched the load cell at a point, which took forces only",
       fmt::format("forces are of the tip on the world, in axes fixed in {}: {}",
                   experiment.force_segment, components_in_words(experiment))};
-  for (const std::string& line : sites_in_words(experiment)) section.lines.push_back(line);
+  append_all(section.lines, sites_in_words(experiment));
   section.lines.push_back(
       experiment.sd_floor > 0
           ? fmt::format("noise of each component: sd^2 = ({:.3g} N)^2 + ({:.3g} % of |force|)^2",

@@ -1,29 +1,20 @@
 #include "report/explain/explanation.h"
 
-#include <cstdlib>
 #include <utility>
 
+#include "report/blocks.h"
 #include "report/summary.h"
 
 namespace thenar {
 namespace {
 
-/// A cell as a number where it is one; "-" and "inf" are null. The unit "1" stays a text.
-Json json_of_cell(const std::string& header, const std::string& cell) {
-  if (header == "unit") return cell;
-  if (cell == "-" || cell == "inf" || cell == "-inf") return nullptr;
-  char* end = nullptr;
-  const double value = std::strtod(cell.c_str(), &end);
-  if (!cell.empty() && *end == '\0') return value;
-  return cell;
-}
-
+/// Rows as objects; the unit "1" stays a text.
 OrderedJson rows_json(const Table& table) {
   OrderedJson rows = OrderedJson::array();
   for (const auto& cells : table.rows) {
     OrderedJson object;
     for (std::size_t c = 0; c < cells.size(); ++c)
-      object[table.header[c]] = json_of_cell(table.header[c], cells[c]);
+      object[table.header[c]] = table.header[c] == "unit" ? Json(cells[c]) : json_of_cell(cells[c]);
     rows.push_back(object);
   }
   return rows;

@@ -51,8 +51,7 @@ Section explain_learnt(const Fit& fit) {
                        shown(learnt.null_share, 3),
                        or_dash(meaning_of(learnt.name, fit.problem.digit()))});
   }
-  for (const NullDirection& null : fit.covariance.null_directions)
-    section.lines.push_back(null.text);
+  section.lines = transformed(fit.covariance.null_directions, &NullDirection::text);
   return section;
 }
 

@@ -202,7 +202,7 @@ Explanation explain(const SceneSpec& scene) {
   header.lines = {or_dash(scene.description), "source " + or_dash(scene.source),
                   "method " + scene.stepping.method};
   WorldSpec hands;
-  for (const SceneHandSpec& hand : scene.hands) hands.hands.push_back(hand.placed);
+  hands.hands = transformed(scene.hands, &SceneHandSpec::placed);
   return {header, explain_hands(hands), explain_scene_bodies(scene), explain_pads(scene),
           explain_pad_constants(scene)};
 }

@@ -185,22 +185,21 @@ Explanation explain(const Subject& subject, const DigitExplained& says) {
   header.lines = {subject.description,
                   fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};
   if (subject.base.empty()) header.lines.back() = subject.side + " hand";
-  Explanation explanation{header};
   if (says.tendons == nullptr) {
-    for (Section& section : explain_maps(subject, says.digit)) explanation.push_back(section);
-    return explanation;
+    Explanation maps = explain_maps(subject, says.digit);
+    maps.insert(maps.begin(), header);
+    return maps;
   }
-
   const TendonDigit& built = says.tendons->digit();
-  explanation.push_back(explain_kept(says.parts));
-  explanation.push_back(explain_dropped(says.parts));
-  explanation.push_back(explain_axes(built));
-  explanation.push_back(explain_muscles(subject, says.parts.muscles));
-  explanation.push_back(explain_rungs(built.fidelity));
-  explanation.push_back(explain_questions(built));
-  explanation.push_back(explain_costs(says.costs));
-  explanation.push_back(explain_parameters(says));
-  return explanation;
+  return {header,
+          explain_kept(says.parts),
+          explain_dropped(says.parts),
+          explain_axes(built),
+          explain_muscles(subject, says.parts.muscles),
+          explain_rungs(built.fidelity),
+          explain_questions(built),
+          explain_costs(says.costs),
+          explain_parameters(says)};
 }
 
 }  // namespace thenar

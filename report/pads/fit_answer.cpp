@@ -1,9 +1,7 @@
 #include "report/pads/fit_answer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,8 +34,7 @@ double start_of(const FittedPad& fitted, std::size_t i) {
 }
 
 bool has_poisson_ratio(const FittedPad& fitted) {
-  const std::vector<FreeConstant>& all = fitted.problem.constants;
-  return std::any_of(all.begin(), all.end(), [](const FreeConstant& free) {
+  return any_of(fitted.problem.constants, [](const FreeConstant& free) {
     return free.constant.kind == PadConstantKind::kPoissonRatio;
   });
 }
@@ -58,9 +55,7 @@ std::string load_words(const PressRecord& record, const PressDatum& datum) {
 
 /// Returns true if all constants have a finite sd, so that correlations exist.
 bool all_known(const FittedPad& fitted) {
-  const std::vector<ConstantEstimate>& all = fitted.fit.estimates;
-  return std::none_of(all.begin(), all.end(),
-                      [](const ConstantEstimate& each) { return std::isinf(each.sd); });
+  return all_of(fitted.fit.estimates, [](const auto& each) { return !std::isinf(each.sd); });
 }
 
 /// Returns the factor by which finer cells would change a constant; empty if it was not computed.

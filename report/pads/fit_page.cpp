@@ -9,7 +9,6 @@
 #include "data/io/toml_text.h"
 #include "report/blocks.h"
 #include "report/pads/fit_answer.h"
-#include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
 #include "report/provenance.h"
 
@@ -64,12 +63,9 @@ std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve&
 Json curve_chart(const std::string& caption, const std::vector<std::string>& labels,
                  Json curve_series, const std::vector<ChartDatum>& data) {
   Json series = Json::array({std::move(curve_series)});
-  Json x = Json::array(), y = Json::array();
-  for (const ChartDatum& each : data) {
-    x.push_back(each.x);
-    y.push_back(each.y);
-  }
-  if (!data.empty()) series.push_back(curve_json("measured, 1 sd", x, y, "points"));
+  if (!data.empty())
+    series.push_back(
+        curve_of_each("measured, 1 sd", data, &ChartDatum::x, &ChartDatum::y, "points"));
   for (const ChartDatum& each : data)
     series.push_back(curve_json("measured, 1 sd",
                                 {std::max(0.0, each.x - each.sd_x), each.x + each.sd_x},
@@ -79,18 +75,16 @@ Json curve_chart(const std::string& caption, const std::vector<std::string>& lab
 
 /// Force by depth and area by force of a press.
 Json press_charts(const PressRecord& record, const FittedCurve& curve) {
-  Json depth = Json::array(), force = Json::array(), area = Json::array();
-  for (const PressPoint& point : curve.points) {
-    depth.push_back(point.indentation / kMm);
-    force.push_back(point.force);
-    area.push_back(point.area / kSquareMm);
-  }
+  const auto depth = [](const PressPoint& point) { return point.indentation / kMm; };
+  const auto area = [](const PressPoint& point) { return point.area / kSquareMm; };
   return row_block(
       {curve_chart(fmt::format("Force over depth, press '{}'", record.name),
-                   {"depth [mm]", "force [N]"}, curve_json("fitted pad", depth, force, "lines"),
+                   {"depth [mm]", "force [N]"},
+                   curve_of_each("fitted pad", curve.points, depth, &PressPoint::force, "lines"),
                    chart_data(record, curve, false)),
        curve_chart(fmt::format("Contact area over force, press '{}'", record.name),
-                   {"force [N]", "area [mm2]"}, curve_json("fitted pad", force, area, "lines"),
+                   {"force [N]", "area [mm2]"},
+                   curve_of_each("fitted pad", curve.points, &PressPoint::force, area, "lines"),
                    chart_data(record, curve, true))});
 }
 
@@ -125,20 +119,16 @@ Json source_section(const FittedPad& fitted) {
                                           std::move(rows))}));
 }
 
-Json fit_banner(const FittedPad& fitted) {
-  const bool converged = fitted.fit.solution.converged();
-  return pad_banner(refusal_of(fitted), fitted.outcome.warnings, "The search has NOT converged",
-                    fitted.outcome.stopped()
-                        ? "The search was stopped: this is the best pad by then"
-                    : converged ? "The search has converged"
-                                : "The search has NOT converged, which was allowed");
-}
-
 }  // namespace
 
 Json page_of(const FittedPad& fitted) {
   // Constants and their doubts first; without estimates there is nothing else.
-  Json blocks = Json::array({fit_banner(fitted)});
+  const char* const title =
+      fitted.outcome.stopped()          ? "The search was stopped: this is the best pad by then"
+      : fitted.fit.solution.converged() ? "The search has converged"
+                                        : "The search has NOT converged, which was allowed";
+  Json blocks = Json::array({refusal_banner(refusal_of(fitted), fitted.outcome.warnings,
+                                            "The search has NOT converged", title)});
   if (!fitted.fit.estimates.empty()) {
     blocks.push_back(table_block("Constants", table_of(fitted)));
     blocks.push_back(text_block(constants_note(fitted)));

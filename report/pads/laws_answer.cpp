@@ -83,8 +83,7 @@ Fields constant_fields(const CalibratedLaws& laws) {
 
 std::vector<Fields> press_fields(const PadLaws& found) {
   // Lengths in mm and areas in mm2, as pads are measured.
-  std::vector<Fields> list;
-  for (const LawPress& press : found.presses) {
+  return fields_of_each(found.presses, [&](const LawPress& press) {
     const MeasuredPress& by = press.elements;
     Fields each{{"press", by.trial},
                 {"fitted", press.fitted},
@@ -103,15 +102,12 @@ std::vector<Fields> press_fields(const PadLaws& found) {
                       {"foundation_bed", units::kNewton, press.laws->bed},
                       {"foundation_bed_area", units::kSquareMillimetre, press.laws->bed_area},
                       {"foundation_bed_arm", units::kMillimetre, press.laws->bed_arm}});
-    list.push_back(std::move(each));
-  }
-  return list;
+    return each;
+  });
 }
 
 std::vector<double> depths_mm(const PadLaws& found) {
-  std::vector<double> depths;
-  for (const double depth : found.depths) depths.push_back(depth / kMm);
-  return depths;
+  return transformed(found.depths, [](double depth) { return depth / kMm; });
 }
 
 }  // namespace

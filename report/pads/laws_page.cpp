@@ -5,7 +5,6 @@
 
 #include "report/blocks.h"
 #include "report/pads/laws_answer.h"
-#include "report/pads/pad_blocks.h"
 #include "report/provenance.h"
 
 namespace thenar {
@@ -37,7 +36,7 @@ Json force_chart(const PadLaws& found, bool fitted) {
 }  // namespace
 
 Json page_of(const PadLaws& found) {
-  Json blocks = Json::array({pad_banner(
+  Json blocks = Json::array({refusal_banner(
       refusal_of(found), found.outcome.warnings, "Laws were NOT found",
       found.outcome.stopped() ? "The calibration was stopped: these are the presses by then"
                               : "All fits are at a minimum")});

@@ -1,8 +1,5 @@
 #include "report/pads/press_answer.h"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "base/numbers.h"
@@ -20,8 +17,7 @@ const char* word_of(SkinContact contact) {
 /// "a plane", "an edge of 0.5 mm"; of files their names alone.
 std::string with_article(const std::string& object) {
   const std::string first = object.substr(0, object.find(' '));
-  const std::vector<std::string>& known = press_object_names();
-  if (std::find(known.begin(), known.end(), first) == known.end()) return object;
+  if (!contains(press_object_names(), first)) return object;
   return (first == "edge" ? "an " : "a ") + object;
 }
 
@@ -67,24 +63,22 @@ std::vector<Fields> patch_fields(const PressedSkin& skin) {
 }
 
 std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
-  std::vector<Fields> list;
-  for (const PressRung& rung : rungs) {
+  return fields_of_each(rungs, [](const PressRung& rung) {
     // A rung that failed has no numbers, but a reason.
     const bool solved = rung.message.empty();
-    list.push_back({{"element", rung.element},
-                    {"mesh", rung.mesh},
-                    {"elements", rung.elements},
-                    {"force", units::kNewton, solved ? rung.force : kNaN},
-                    {"error", units::kOne, solved ? rung.error : kNaN},
-                    {"area", units::kSquareMillimetre, rung.area},
-                    {"torsion", units::kMillimetre, rung.torsion},
-                    {"cpu", units::kCpuSecond, rung.cpu > 0 ? rung.cpu : kNaN},
-                    {"finest", rung.finest},
-                    {"reduced", rung.reduced},
-                    {"note", rung.note},
-                    {"failure", rung.message}});
-  }
-  return list;
+    return Fields{{"element", rung.element},
+                  {"mesh", rung.mesh},
+                  {"elements", rung.elements},
+                  {"force", units::kNewton, solved ? rung.force : kNaN},
+                  {"error", units::kOne, solved ? rung.error : kNaN},
+                  {"area", units::kSquareMillimetre, rung.area},
+                  {"torsion", units::kMillimetre, rung.torsion},
+                  {"cpu", units::kCpuSecond, rung.cpu > 0 ? rung.cpu : kNaN},
+                  {"finest", rung.finest},
+                  {"reduced", rung.reduced},
+                  {"note", rung.note},
+                  {"failure", rung.message}};
+  });
 }
 
 std::string ending_words(const PressResult& pressed) {
@@ -181,8 +175,7 @@ Fields fields_of(const PressResult& pressed) {
 
 FileDigests files_of(const PressResult& pressed) {
   FileDigests files = pressed.pad.spec.files;
-  FileDigests more = pressed.object.files;
-  files.merge(more);
+  files.merge(FileDigests(pressed.object.files));
   return files;
 }
 

@@ -7,8 +7,6 @@
 #include <set>
 
 #include "base/units.h"
-#include "report/blocks.h"
-#include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
 #include "report/picture/color_ramp.h"
 #include "report/picture/mesh_table.h"
@@ -102,22 +100,18 @@ Json pressure_scale(const PressResult& pressed) {
 Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
   const PressedSkin& skin = pressed.skin;
   // Colour the skin by pressure; bone, element edges and object can be switched.
-  Json layers = Json::array();
-  layers.push_back(
-      layer("skin", kSkinColor,
-            Json::array({smooth_item(
-                triangles_of(skin),
-                ramp_colors(skin.pressure, largest_pressure(pressed), color_of_hex(kSkinColor)),
-                meshes)})));
-  layers.push_back(
-      layer("bone", kBoneColor,
-            Json::array({smooth_item(bone_mesh(pressed.pad.model.shape), {}, meshes)})));
-  layers.push_back(layer("elements", kEdgeColor, Json::array({edges_of(skin)})));
-  layers.back()["visible"] = false;
-  Json object = mesh_item(meshes.add(pressed.object.picture, {kBodyCrease, {}}), pressed.X_PO);
-  object["opacity"] = 0.18;
-  layers.push_back(layer(pressed.object.name, kObjectColor, Json::array({std::move(object)})));
-  layers.back()["fit"] = false;
+  const Json pad = smooth_item(
+      triangles_of(skin),
+      ramp_colors(skin.pressure, largest_pressure(pressed), color_of_hex(kSkinColor)), meshes);
+  const Json bone = smooth_item(bone_mesh(pressed.pad.model.shape), {}, meshes);
+  const Json object =
+      with(mesh_item(meshes.add(pressed.object.picture, {kBodyCrease, {}}), pressed.X_PO),
+           {{"opacity", 0.18}});
+  Json layers = Json::array(
+      {layer("skin", kSkinColor, Json::array({pad})),
+       layer("bone", kBoneColor, Json::array({bone})),
+       with(layer("elements", kEdgeColor, Json::array({edges_of(skin)})), {{"visible", false}}),
+       with(layer(pressed.object.name, kObjectColor, Json::array({object})), {{"fit", false}})});
   return {{"type", "scene"},
           {"caption",
            "The deformed pad, palm up, and what presses on it; x is distal, y radial, z palmar"},
@@ -154,12 +148,11 @@ PressedSkin near_patch(const PressedSkin& skin) {
 }
 
 std::vector<MeshColor> stick_colors(const PressedSkin& skin) {
-  std::vector<MeshColor> colors;
-  for (const SkinContact contact : skin.contact)
-    colors.push_back(color_of_hex(contact == SkinContact::kSticks  ? kStickColor
-                                  : contact == SkinContact::kSlips ? kSlipColor
-                                                                   : kSkinColor));
-  return colors;
+  return transformed(skin.contact, [](SkinContact contact) {
+    return color_of_hex(contact == SkinContact::kSticks  ? kStickColor
+                        : contact == SkinContact::kSlips ? kSlipColor
+                                                         : kSkinColor);
+  });
 }
 
 /// Two maps of the patch from where the object comes, distal up.
@@ -194,7 +187,7 @@ Json press_curve(const PressResult& pressed, const std::string& name,
                  const std::vector<PressPhase>& phases, const X& x, const Y& y) {
   Json xs = Json::array(), ys = Json::array();
   for (const PressInstant& now : pressed.instants)
-    if (std::find(phases.begin(), phases.end(), now.phase) != phases.end()) {
+    if (contains(phases, now.phase)) {
       xs.push_back(x(now));
       ys.push_back(y(now));
     }
@@ -267,8 +260,7 @@ Json rung_section(const PressResult& pressed) {
     curve["labels"].push_back(rung.reduced ? rung.element : rung.mesh);
   }
   // Both axes are logarithmic, because laws and meshes differ by orders of magnitude.
-  Json blocks = Json::array();
-  Json list = Json::array();
+  Json blocks = Json::array(), list = Json::array();
   for (auto& [name, curve] : series) list.push_back(std::move(curve));
   if (!list.empty()) {
     blocks.push_back(with(lines_block("Error of the force against the finest over processor time",
@@ -285,17 +277,14 @@ Json rung_section(const PressResult& pressed) {
       std::move(blocks));
 }
 
-Json press_banner(const PressResult& pressed) {
-  return pad_banner(refusal_of(pressed), pressed.outcome.warnings, "The press ended early",
-                    pressed.outcome.stopped() ? "The press was stopped" : "All steps were solved");
-}
-
 }  // namespace
 
 Json page_of(const PressResult& pressed) {
   // The deformed pad, if it was solved at all.
   MeshTable meshes;
-  Json blocks = Json::array({press_banner(pressed)});
+  Json blocks = Json::array({refusal_banner(
+      refusal_of(pressed), pressed.outcome.warnings, "The press ended early",
+      pressed.outcome.stopped() ? "The press was stopped" : "All steps were solved")});
   if (pressed.skin.places.cols() > 0) {
     blocks.push_back(pad_scene(pressed, meshes));
     blocks.push_back(patch_maps(pressed, meshes));

@@ -1,6 +1,5 @@
 #include "report/pages/compare_rungs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -49,28 +48,23 @@ Json rung_table(const RungComparison& comparison) {
 
 /// Normal force of one pad over time, a curve for each rung.
 Json force_chart(const RungComparison& comparison, std::size_t pad, const std::string& name) {
-  Json series = Json::array();
-  for (const RungRun& run : comparison.runs) {
+  const auto curve = [&](const RungRun& run) {
     const std::vector<SceneSample>& samples = run.scene.run.samples;
-    Json t = Json::array(), force = Json::array();
-    for (const Eigen::Index i : spread(static_cast<Eigen::Index>(samples.size()), kCurveInstants)) {
-      const SceneSample& sample = nth(samples, i);
-      t.push_back(sample.t);
-      force.push_back(pad_loads(comparison, sample)[pad].force);
-    }
-    series.push_back(curve_json(run.rung, std::move(t), std::move(force)));
-  }
-  return lines_block(name, "time [s]", "normal force [N]", std::move(series));
+    return curve_of_each(
+        run.rung, spread(static_cast<Eigen::Index>(samples.size()), kCurveInstants),
+        [&](Eigen::Index i) { return nth(samples, i).t; },
+        [&](Eigen::Index i) { return pad_loads(comparison, nth(samples, i))[pad].force; });
+  };
+  return lines_block(name, "time [s]", "normal force [N]", list_of_each(comparison.runs, curve));
 }
 
 Json rung_banner(const RungComparison& comparison) {
   // A comparison without a sound finest run is not to be used.
   const std::string refusal = refusal_of(comparison);
-  const std::vector<std::string>& warnings = comparison.outcome.warnings;
   if (!refusal.empty()) return banner_block("Do not use this comparison", Json::array({refusal}));
   return used_banner(fmt::format("On the rung {} all contact problems were solved",
                                  comparison.runs[comparison.finest].rung),
-                     warnings);
+                     comparison.outcome.warnings);
 }
 
 std::string pad_name(const RungComparison& comparison, std::size_t pad) {

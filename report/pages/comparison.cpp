@@ -18,9 +18,7 @@ namespace {
 
 const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
                                  const std::string& hand) {
-  for (const ComparePicture& each : pictures)
-    if (each.hand == hand) return &each;
-  return nullptr;
+  return find_where(pictures, [&](const ComparePicture& each) { return each.hand == hand; });
 }
 
 /// Computes the mean offset of the tips from the palm's point, across the way of approach; zero
@@ -171,9 +169,9 @@ Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& obj
 }
 
 Json page_of(const CompareResult& result, const Progress& progress) {
-  std::vector<ComparePicture> pictures;
-  for (const NamedHand& hand : result.hands)
-    pictures.push_back({hand.name, hand.hand, hand.patches});
+  const std::vector<ComparePicture> pictures = transformed(result.hands, [](const NamedHand& hand) {
+    return ComparePicture{hand.name, hand.hand, hand.patches};
+  });
   MeshTable meshes;
   const Json sections = compare_page(result.comparison, result.objects, pictures, meshes, progress);
   return {{"title", "Hands compared"},

@@ -27,22 +27,17 @@ Cells cells_of(const Comparison& comparison, const std::string& hand) {
 
 const HandOnObject* cell_of(const Comparison& comparison, const std::string& hand,
                             const std::string& object) {
-  for (const HandOnObject& cell : comparison.cells)
-    if (cell.hand == hand && cell.object == object) return &cell;
-  return nullptr;
+  return find_where(comparison.cells, [&](const HandOnObject& cell) {
+    return cell.hand == hand && cell.object == object;
+  });
 }
 
-/// Returns a number for the page; null if it is not finite.
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 /// A load, which may be borne without limit.
-Json load(double value) { return std::isinf(value) ? Json("no limit") : finite(value); }
+Json load(double value) { return std::isinf(value) ? Json("no limit") : number_or_null(value); }
 
 /// Computes the median of the finite values; NaN if there are none.
 double median(std::vector<double> values) {
-  values.erase(std::remove_if(values.begin(), values.end(),
-                              [](double value) { return !std::isfinite(value); }),
-               values.end());
+  erase_where(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return NAN;
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -50,9 +45,7 @@ double median(std::vector<double> values) {
 }
 
 const HandAbilities* abilities_of(const Comparison& comparison, const std::string& hand) {
-  for (const HandAbilities& each : comparison.abilities)
-    if (each.hand == hand) return &each;
-  return nullptr;
+  return find_where(comparison.abilities, [&](const auto& each) { return each.hand == hand; });
 }
 
 /// "22 to 78" [%].
@@ -81,8 +74,8 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
           count.approaches > 0 ? Json(100 * count.success_rate()) : Json(),
           count.approaches > 0 ? Json(percent_words(count.interval())) : Json(),
           held,
-          finite(median(best)),
-          finite(median(limited)),
+          number_or_null(median(best)),
+          number_or_null(median(limited)),
           abilities == nullptr ? Json() : type_count(*abilities)};
 }
 
@@ -135,9 +128,10 @@ std::vector<BlockColumn> load_columns(const Comparison& comparison) {
 
 Json success_row(const HandOnObject& cell, const std::vector<std::string>& tasks) {
   Json row = Json::array({cell.hand, cell.object, 100 * cell.success, percent_words(cell.interval),
-                          finite(cell.quantile(0.5)), finite(cell.quantile(1)),
-                          finite(cell.best_hand_epsilon().max), finite(cell.min_grasp_force()),
-                          finite(cell.standing_grasp_force())});
+                          number_or_null(cell.quantile(0.5)), number_or_null(cell.quantile(1)),
+                          number_or_null(cell.best_hand_epsilon().max),
+                          number_or_null(cell.min_grasp_force()),
+                          number_or_null(cell.standing_grasp_force())});
   for (const std::string& name : tasks) {
     const GraspTask task = grasp_task(name);
     if (task == GraspTask::kForceClosure) continue;
@@ -222,9 +216,9 @@ Json digit_rows(const Comparison& comparison) {
       const double error = 1e6 * digit.workspace_error;  // [cm^3]
       const bool solid = digit.dimension == 3;
       rows.push_back({hand.hand, digit.digit, digit.dimension,
-                      solid ? finite(rounded_to(1e6 * digit.workspace, error)) : Json(),
-                      solid ? finite(rounded_to(error, error)) : Json(),
-                      finite(digit.closing_force), finite(digit.max_tip_force)});
+                      solid ? number_or_null(rounded_to(1e6 * digit.workspace, error)) : Json(),
+                      solid ? number_or_null(rounded_to(error, error)) : Json(),
+                      number_or_null(digit.closing_force), number_or_null(digit.max_tip_force)});
     }
   return rows;
 }
@@ -242,8 +236,9 @@ Json ability_rows(const Comparison& comparison) {
                                 ? fmt::format("{} of 10 places", hand.reached.size())
                                 : fmt::format("{} of {} tips", hand.reached.size(),
                                               std::max<std::size_t>(hand.digits.size(), 1) - 1);
-    rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
-                    finite(in_two_digits(1e6 * hand.overlap)), finite(strongest),
+    rows.push_back({hand.hand, 1000 * hand.reach,
+                    kapandji ? number_or_null(hand.opposition) : Json(), met,
+                    number_or_null(in_two_digits(1e6 * hand.overlap)), number_or_null(strongest),
                     type_count(hand)});
   }
   return rows;
@@ -368,9 +363,9 @@ Json glance_section(const Comparison& comparison) {
 Json cells_section(const Comparison& comparison) {
   // Three matrices of hands by objects: closures, epsilon by contacts, and within limits.
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
-  const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
+  const auto best = [](const HandOnObject& cell) { return number_or_null(cell.quantile(1)); };
   const auto limited = [](const HandOnObject& cell) {
-    return finite(cell.best_hand_epsilon().max);
+    return number_or_null(cell.best_hand_epsilon().max);
   };
   Json blocks = Json::array(
       {matrix(comparison, "Share of approaches that end in force closure [%].", 0, success),
@@ -399,13 +394,13 @@ Json cells_section(const Comparison& comparison) {
 }
 
 Json distribution_section(const Comparison& comparison) {
-  Json pairs = Json::array();
-  for (const std::string& object : comparison.objects)
-    pairs.push_back(row_block(
+  const Json pairs = list_of_each(comparison.objects, [&](const std::string& object) {
+    return row_block(
         Json::array({chart(comparison, object, fmt::format("On {}: contacts alone.", object),
                            "epsilon [1]", geometric_row),
                      chart(comparison, object, fmt::format("On {}: within hand limits.", object),
-                           "epsilon within hand limits [N]", limited_row)})));
+                           "epsilon within hand limits [N]", limited_row)}));
+  });
   return section(
       "quality", "How good the grasps are",
       "Epsilon of all grasps with force closure: by geometry and friction alone (left), and "
@@ -444,9 +439,8 @@ Json abilities_section(const Comparison& comparison) {
 Json reading_section(const Comparison& comparison) {
   Json blocks = Json::array();
   if (!comparison.warnings.empty()) {
-    Json rows = Json::array();
-    for (const std::string& warning : comparison.warnings) rows.push_back(Json::array({warning}));
-    blocks.push_back(table_block("Warnings.", {"warning"}, rows));
+    const auto row = [](const std::string& warning) { return Json::array({warning}); };
+    blocks.push_back(table_block("Warnings.", {"warning"}, list_of_each(comparison.warnings, row)));
   }
   return section("reading", "How to read this", reading_words(comparison), blocks);
 }

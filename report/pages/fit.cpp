@@ -139,9 +139,7 @@ Json error_table(const FitResult& result) {
 
 /// A table whose cells stay texts.
 Json text_table_block(const std::string& caption, const Table& table) {
-  std::vector<BlockColumn> columns;
-  for (const std::string& column : table.header) columns.push_back({column, ""});
-  return table_block(caption, columns, table.rows);
+  return table_block(caption, columns_of(table), table.rows);
 }
 
 /// Errors of the hood's muscles, beside those with fractions; none where the digit has no hood.
@@ -287,10 +285,9 @@ std::string name_rules(const Fit& fit) {
   const FitParameters& parameters = fit.problem.parameters();
   std::string text;
   for (const Rule& rule : rules) {
-    const bool occurs =
-        std::any_of(parameters.leader.begin(), parameters.leader.end(), [&](const int p) {
-          return std::count(rule.kinds.begin(), rule.kinds.end(), nth(parameters.all, p).kind) > 0;
-        });
+    const bool occurs = any_of(parameters.leader, [&](int p) {
+      return contains(rule.kinds, nth(parameters.all, p).kind);
+    });
     if (occurs) text += (text.empty() ? "Names: " : "; ") + std::string(rule.text);
   }
   return text.empty() ? text : text + ".";
@@ -318,8 +315,9 @@ Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) 
 }
 
 Json open_directions(const Fit& fit, const std::string& whose) {
-  Json rows = Json::array();
-  for (const NullDirection& null : fit.covariance.null_directions) rows.push_back({null.text});
+  const Json rows = list_of_each(fit.covariance.null_directions, [](const NullDirection& null) {
+    return Json::array({null.text});
+  });
   return table_block(
       fmt::format("{}: along {} of {} directions no measured force changes, and the prior alone "
                   "decides them ({} force components were measured)",
@@ -334,9 +332,9 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
   const std::string& name = nth(fit.problem.specimens(), specimen);
   // The first posture of an experiment of the specimen.
   const std::vector<Experiment>& experiments = fit.problem.experiments();
-  const auto own = std::find_if(experiments.begin(), experiments.end(),
-                                [&](const Experiment& e) { return e.specimen == name; });
-  const ExperimentPlan& plan = nth(fit.problem.plans(), own - experiments.begin());
+  const Experiment* own =
+      find_where(experiments, [&](const Experiment& e) { return e.specimen == name; });
+  const ExperimentPlan& plan = nth(fit.problem.plans(), own - experiments.data());
   const Eigen::VectorXd q = plan.postures.front();
   // Skin is that of the subject, so it is drawn only where the fit keeps the subject's size.
   Json layers = Json::array({bone_layer(before, q, "#b8a48a"),

@@ -15,7 +15,6 @@
 #include "report/pages/wrench_blocks.h"
 #include "report/picture/grasp_view.h"
 #include "report/provenance.h"
-#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -32,14 +31,10 @@ Json outcome_banner(const GraspResult& result) {
   return banner_block(outcome_words(grasp), grave, ok && grave.empty());
 }
 
-HandPicture picture_of(const GraspResult& result) {
-  const WorldHand& hand = result.setting.hand;
-  return {*hand.named.hand, result.grasp.closed.q, result.grasp.approached.X_WH, hand.named.patches,
-          hand.carrier_surfaces};
-}
-
 Json picture_section(const GraspResult& result, MeshTable& meshes) {
-  const HandPicture picture = picture_of(result);
+  const WorldHand& hand = result.setting.hand;
+  const HandPicture picture{*hand.named.hand, result.grasp.closed.q, result.grasp.approached.X_WH,
+                            hand.named.patches, hand.carrier_surfaces};
   const GraspSetup& setup = result.setting.setup;
   const Camera& camera = result.setting.world.camera;
   const Eigen::Vector3d eye =
@@ -55,12 +50,11 @@ Json picture_section(const GraspResult& result, MeshTable& meshes) {
 }
 
 Json warning_section(const GraspResult& result) {
-  Json rows = Json::array();
-  for (const std::string& warning : result.outcome.warnings) rows.push_back(Json::array({warning}));
+  const auto row = [](const std::string& warning) { return Json::array({warning}); };
   return section(
       "warnings", "Assumptions", "",
       Json::array({table_block("What was assumed of the hand and its object, or left out.",
-                               {"assumption"}, rows)}));
+                               {"assumption"}, list_of_each(result.outcome.warnings, row))}));
 }
 
 /// Returns a table with the notes of its rows below it, which are too long for columns.
@@ -133,13 +127,6 @@ Json joint_section(const GraspResult& result) {
                                           {"coordinate", "value", "stopped by"}, rows)}));
 }
 
-Json provenance_of(const GraspResult& result) {
-  Json json = provenance_json(result.setting.files);
-  if (result.request.starts > 0 || result.robustness)
-    json["seed"] = std::to_string(result.request.seed);
-  return json;
-}
-
 Json sections_of(const GraspResult& result, MeshTable& meshes) {
   Json sections = Json::array({picture_section(result, meshes)});
   const bool grasped = result.grasp.outcome == GraspOutcome::kGrasped;
@@ -168,6 +155,9 @@ Json page_of(const GraspResult& result) {
   const Epsilon& quality = result.grasp.quality;
   const bool closed = result.grasp.outcome == GraspOutcome::kGrasped;
   const Json sections = sections_of(result, meshes);
+  Json provenance = provenance_json(result.setting.files);
+  if (result.request.starts > 0 || result.robustness)
+    provenance["seed"] = std::to_string(result.request.seed);
   return {
       {"title", fmt::format("{} and {}", hand, object)},
       {"subtitle", result.setting.world.description},
@@ -179,7 +169,7 @@ Json page_of(const GraspResult& result) {
            fmt::format("Result: {}.", explanation(result)) +
                (closed ? fmt::format(" Epsilon is {:.4g} to {:.4g}.", quality.lower, quality.upper)
                        : ""))},
-      {"provenance", provenance_of(result)},
+      {"provenance", provenance},
       {"meshes", meshes.json()},
       {"sections", sections}};
 }

@@ -59,10 +59,8 @@ Json time_charts(const std::vector<HoodComparison>& comparisons) {
 
 Json hood_page(const TendonSweepResult& sweep, const std::vector<HoodComparison>& comparisons,
                MeshTable& meshes) {
-  Json blocks = net_scenes(sweep, 2, meshes);
-  for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
+  Json blocks = joined(net_scenes(sweep, 2, meshes), slip_charts(sweep));
   blocks.push_back(error_table(comparisons));
-  for (const Json& charts : time_charts(comparisons)) blocks.push_back(charts);
   return section(
       "hood", "The extensor mechanism as a floating net",
       "The net hangs between bones and muscles, and finds its own shape: how the "
@@ -70,7 +68,7 @@ Json hood_page(const TendonSweepResult& sweep, const std::vector<HoodComparison>
       "and geometry. Bands are coloured by tension; slack ones are dashed.\n\n"
       "Below, the same experiments predicted with separate tendons, with fixed fractions, "
       "and with nets.",
-      blocks);
+      joined(std::move(blocks), time_charts(comparisons)));
 }
 
 }  // namespace thenar

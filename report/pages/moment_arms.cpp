@@ -12,17 +12,16 @@ using Eigen::Index;
 
 /// A chart for each joint, and one of lengths.
 Json arm_charts_of(const MomentArmResult& answer) {
-  const DigitResult& about = answer;
   // A curve for each muscle that crosses the joint.
-  const SweepAxes axes = axes_of(about);
+  const SweepAxes axes = axes_of(answer);
   Json charts = Json::array();
   for (Index j = 0; j < answer.crosses.cols(); ++j) {
-    const std::string& joint = nth(about.rows, j);
+    const std::string& joint = nth(answer.rows, j);
     std::vector<Curve> curves;
     for (Index m = 0; m < answer.crosses.rows(); ++m)
       if (answer.crosses(m, j))
         curves.push_back(
-            curve_over(answer.points, nth(about.muscles, m),
+            curve_over(answer.points, nth(answer.muscles, m),
                        [m, j](const MomentArmPoint& p) { return p.arms(m, j) / kMm; }));
     charts.push_back(curve_chart(axes, "Moment arms about " + joint,
                                  "arm, " + positive_motion(joint) + " positive [mm]", curves));
@@ -31,7 +30,7 @@ Json arm_charts_of(const MomentArmResult& answer) {
   std::vector<Curve> lengths;
   for (Index m = 0; m < answer.crosses.rows(); ++m)
     lengths.push_back(
-        curve_over(answer.points, nth(about.muscles, m),
+        curve_over(answer.points, nth(answer.muscles, m),
                    [m](const MomentArmPoint& p) { return p.length_change(m) / kMm; }));
   charts.push_back(curve_chart(axes, "Length change since the posture " + reference_words(answer),
                                "change, longer positive [mm]", lengths));
@@ -51,12 +50,11 @@ Json page_of(const MomentArmResult& answer) {
   const std::string words = "A moment arm is the tendon shortening per radian of joint rotation: " +
                             sign_words(answer.rows) + ". Lengths are counted from the posture " +
                             reference_words(answer) + ".";
-  Json sections = Json::array();
+  Json sections =
+      Json::array({section("arms", "Moment arms", digit_introduction(answer, words), blocks)});
   if (!answer.single() && !answer.points.empty())
     sections.push_back(
         section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
-  sections.insert(sections.begin(),
-                  section("arms", "Moment arms", digit_introduction(answer, words), blocks));
   // Sum up by the range of all arms.
   std::vector<double> arms;
   for (const MomentArmPoint& point : answer.points)

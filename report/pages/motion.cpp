@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -32,12 +31,7 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
       pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
   if (state.empty()) return Eigen::Vector3d::UnitY();
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
-  const Eigen::Vector3d dorsal = (tip - state.front().point).cross(state.front().axis);
-  Index most = 1;
-  dorsal.cwiseAbs().maxCoeff(&most);
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  up[most] = dorsal[most] < 0 ? -1 : 1;
-  return up;
+  return nearest_axis((tip - state.front().point).cross(state.front().axis));
 }
 
 Json scene(const DigitMotionResult& motion, MeshTable& meshes) {

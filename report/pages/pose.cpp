@@ -2,17 +2,11 @@
 
 #include "base/units.h"
 #include "report/answers/pose.h"
-#include "report/blocks.h"
 #include "report/picture/digit_layers.h"
 #include "report/provenance.h"
 
 namespace thenar {
 namespace {
-
-void add_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Json& items) {
-  if ((b - a).norm() > 1e-6)
-    items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
-}
 
 Json bones_of(const SubjectPose& pose) {
   Json items = Json::array();
@@ -34,25 +28,23 @@ Json bones_of(const RobotPose& pose) {
 
 template <typename Pose>
 Json axes_layer(const Pose& pose) {
-  Json items = Json::array();
-  for (const auto& joint : pose.joints)
-    items.push_back({{"kind", "axis"},
-                     {"point", in_mm(joint.point)},
-                     {"direction", numbers3(joint.axis)},
-                     {"length", 15},
-                     {"label", joint.name}});
-  return layer("joint axes", "#0072b2", items);
+  return layer("joint axes", "#0072b2", list_of_each(pose.joints, [](const auto& joint) {
+                 return Json{{"kind", "axis"},
+                             {"point", in_mm(joint.point)},
+                             {"direction", numbers3(joint.axis)},
+                             {"length", 15},
+                             {"label", joint.name}};
+               }));
 }
 
 template <typename Pose>
 Json tip_layer(const Pose& pose) {
-  Json items = Json::array();
-  for (const auto& tip : pose.tips)
-    items.push_back({{"kind", "points"},
-                     {"positions", Json::array({in_mm(tip.p)})},
-                     {"radius", 2},
-                     {"label", tip.digit}});
-  return layer("tips", "#d55e00", items);
+  return layer("tips", "#d55e00", list_of_each(pose.tips, [](const auto& tip) {
+                 return Json{{"kind", "points"},
+                             {"positions", Json::array({in_mm(tip.p)})},
+                             {"radius", 2},
+                             {"label", tip.digit}};
+               }));
 }
 
 /// Bones or links at some of the postures, with the axes and tips of the first.
@@ -111,11 +103,7 @@ void orient(const SubjectPoses& poses, Json& scene) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SkeletonTip& tip : hand.tips) sum += tip.digit == "thumb" ? 1e-3 * tip.axes : tip.axes;
   Eigen::Matrix3d directions = sum.colwise().normalized();
-  Eigen::Index most = 2;
-  directions.col(1).cwiseAbs().maxCoeff(&most);
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  up[most] = directions(most, 1) < 0 ? -1 : 1;
-  scene["up"] = numbers3(up);
+  scene["up"] = numbers3(nearest_axis(directions.col(1)));
   scene["axes"] = axis_words(directions);
 }
 

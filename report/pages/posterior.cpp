@@ -87,9 +87,7 @@ Json axis_blocks(const PosteriorPicture& picture) {
 
 Json forces_blocks(const PosteriorPicture& picture) {
   // Predicted beside measured forces of every experiment.
-  Json blocks = Json::array();
-  for (const PredictedForces& predicted : picture.predicted)
-    blocks.push_back(predictive_block(predicted));
+  Json blocks = list_of_each(picture.predicted, predictive_block);
   // Show Pareto k, which marks unreliable leave-one-out estimates.
   if (picture.left_out) {
     const std::vector<std::string>& doubts = picture.left_out->result.warnings;
@@ -179,17 +177,16 @@ std::vector<AxisCloud> clouds_of(const PosteriorRun& run) {
 }
 
 std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
-  std::vector<PredictedForces> predicted;
-  for (const Experiment& experiment : run.posterior->problem().experiments()) {
-    const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
-    predicted.push_back({experiment,
-                         predict_draws(run, experiment, specimen, kPredictiveDraws).replicated,
-                         experiment.name + ", in sample" +
-                             (calibrated_on_specimen(run.posterior->problem().digit(), experiment)
-                                  ? "; the subject of the prior has seen this specimen"
-                                  : "")});
-  }
-  return predicted;
+  const FitProblem& problem = run.posterior->problem();
+  return transformed(problem.experiments(), [&](const Experiment& experiment) {
+    const int specimen = find_specimen(problem, experiment.specimen);
+    return PredictedForces{experiment,
+                           predict_draws(run, experiment, specimen, kPredictiveDraws).replicated,
+                           experiment.name + ", in sample" +
+                               (calibrated_on_specimen(problem.digit(), experiment)
+                                    ? "; the subject of the prior has seen this specimen"
+                                    : "")};
+  });
 }
 
 }  // namespace

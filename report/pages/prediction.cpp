@@ -1,7 +1,5 @@
 #include "report/pages/prediction.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -35,16 +33,8 @@ Json arrow(const PredictedTrial& trial, const Plane& plane) {
 /// Panels in the order in which postures first appear.
 Json panels(const Prediction& prediction, const Plane& plane) {
   Json out = Json::array();
-  for (const PredictedTrial& trial : prediction.trials) {
-    Json* panel = nullptr;
-    for (Json& known : out)
-      if (known["title"] == trial.posture) panel = &known;
-    if (panel == nullptr) {
-      out.push_back({{"title", trial.posture}, {"arrows", Json::array()}});
-      panel = &out.back();
-    }
-    (*panel)["arrows"].push_back(arrow(trial, plane));
-  }
+  for (const PredictedTrial& trial : prediction.trials)
+    entry_named(out, "title", trial.posture, "arrows")["arrows"].push_back(arrow(trial, plane));
   return out;
 }
 
@@ -84,12 +74,38 @@ Json trial_table(const PredictedExperiment& one) {
       {{"search", true}});
 }
 
+/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
+Json prediction_sections(const PredictResult& result) {
+  Json sections = Json::array();
+  // Say first whether the specimen was fitted, as errors mean different things.
+  for (const PredictedExperiment& one : result.experiments) {
+    std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
+    if (one.prediction.calibrated_on_specimen)
+      text +=
+          " The subject that the fit started from has seen this specimen: the error is not that of "
+          "an unseen specimen.";
+    const Prediction turned = in_digit_axes(one.prediction, one.experiment);
+    Json blocks = Json::array({error_table(one)});
+    if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
+    blocks.push_back(
+        force_panels(turned, one.prediction.experiment +
+                                 ". Measured solid, predicted dashed; ellipses hold 95 % of the "
+                                 "predictive distribution: what is not known of the parameters, "
+                                 "and the noise"));
+    blocks.push_back(trial_table(one));
+    sections.push_back(section(fmt::format("prediction-{}", sections.size() + 1),
+                               one.prediction.experiment + ": measured and predicted forces", text,
+                               blocks));
+  }
+  return sections;
+}
+
 }  // namespace
 
 Json force_panels(const Prediction& prediction, const std::string& caption) {
   // The lateral plane needs the component across the plane of flexion.
-  const bool in_space = std::all_of(prediction.trials.begin(), prediction.trials.end(),
-                                    [](const PredictedTrial& t) { return t.components == 3; });
+  const bool in_space =
+      all_of(prediction.trials, [](const PredictedTrial& t) { return t.components == 3; });
   Json planes = Json::array();
   for (const Plane& plane : kPlanes)
     if (in_space || plane.x < 2)
@@ -139,36 +155,6 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
 Json caution_banner(const std::vector<std::string>& warnings) {
   return with(banner_block("Before trusting the predictions", warnings), {{"caution", true}});
 }
-
-namespace {
-
-/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
-Json prediction_sections(const PredictResult& result) {
-  Json sections = Json::array();
-  // Say first whether the specimen was fitted, as errors mean different things.
-  for (const PredictedExperiment& one : result.experiments) {
-    std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
-    if (one.prediction.calibrated_on_specimen)
-      text +=
-          " The subject that the fit started from has seen this specimen: the error is not that of "
-          "an unseen specimen.";
-    const Prediction turned = in_digit_axes(one.prediction, one.experiment);
-    Json blocks = Json::array({error_table(one)});
-    if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
-    blocks.push_back(
-        force_panels(turned, one.prediction.experiment +
-                                 ". Measured solid, predicted dashed; ellipses hold 95 % of the "
-                                 "predictive distribution: what is not known of the parameters, "
-                                 "and the noise"));
-    blocks.push_back(trial_table(one));
-    sections.push_back(section(fmt::format("prediction-{}", sections.size() + 1),
-                               one.prediction.experiment + ": measured and predicted forces", text,
-                               blocks));
-  }
-  return sections;
-}
-
-}  // namespace
 
 Json page_of(const PredictResult& result) {
   // Sum up by the relative error of each experiment.

@@ -124,9 +124,8 @@ class SceneFilm {
   }
 
   [[nodiscard]] bool has_moving_part(const std::string& owner) const {
-    const std::vector<std::size_t>& moving = scene_.measures.moving;
-    return std::any_of(moving.begin(), moving.end(),
-                       [&](std::size_t body) { return scene_.built->owner[body] == owner; });
+    return any_of(scene_.measures.moving,
+                  [&](std::size_t body) { return scene_.built->owner[body] == owner; });
   }
 
   void add_fixed(Json& layers) const {
@@ -219,9 +218,8 @@ class TimeChart {
   template <typename At>
   void add(const std::string& name, const At& at) {
     if (series_.size() >= kMaxCurves) return;
-    Json y = Json::array();
-    for (const Index i : instants_) y.push_back(at(static_cast<std::size_t>(i)));
-    series_.push_back(curve_json(name, time_, std::move(y)));
+    const auto value = [&](Index i) { return at(static_cast<std::size_t>(i)); };
+    series_.push_back(curve_json(name, time_, list_of_each(instants_, value)));
   }
 
   [[nodiscard]] Json block(const std::string& caption, const std::string& label) const {

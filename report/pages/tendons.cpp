@@ -14,6 +14,7 @@
 #include "report/picture/skin_layer.h"
 #include "report/provenance.h"
 #include "report/words.h"
+#include "tendons/name_conventions.h"
 
 namespace thenar {
 namespace {
@@ -97,7 +98,7 @@ Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& m
   const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
   // Draw bones and surfaces, then bands, muscles and skin.
   Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
-  for (const Json& bands : band_layers(net, state, point.rest)) layers.push_back(bands);
+  layers = joined(std::move(layers), band_layers(net, state, point.rest));
   layers.push_back(muscle_layer(net, state, sweep.loaded.t));
   if (subject) add_skin({*subject, net.digit(), state}, meshes, layers);
   // Look from the back and the radial side of the palm.
@@ -117,11 +118,7 @@ Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& m
 
 /// Returns the positive sense of a coordinate. Joints of ab-adduction are named "MCP3_AA".
 std::string positive_sense(const std::string& coordinate) {
-  const std::string ending = "_AA";
-  const bool abducts =
-      coordinate.size() > ending.size() &&
-      coordinate.compare(coordinate.size() - ending.size(), ending.size(), ending) == 0;
-  return abducts ? "abduction towards radial" : "flexion";
+  return ends_with(coordinate, "_AA") ? "abduction towards radial" : "flexion";
 }
 
 Json arm_charts(const TendonSweepResult& sweep) {
@@ -190,8 +187,7 @@ std::string trouble_line(const TendonSweepResult& sweep) {
 
 Json net_section(const TendonSweepResult& sweep, const NetTendons& net, MeshTable& meshes) {
   Json blocks = net_scenes(sweep, 4, meshes);
-  if (sweep.loaded.grid.row > 1)
-    for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
+  if (sweep.loaded.grid.row > 1) blocks = joined(std::move(blocks), slip_charts(sweep));
   blocks.push_back(band_table(sweep, net.net().net, drawn_rows(sweep.points.size(), 4)));
   return section(
       "net", "The net at rest",
@@ -239,10 +235,8 @@ Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& mes
   NetPicture picture{sweep, *net, {}, round_up(highest)};
   if (const std::vector<SourceText>& sources = sweep.loaded.sources; !sources.empty())
     picture.subject = parse_subject(sources.front().text, sources.front().path);
-  Json pictures = Json::array();
-  for (const std::size_t i : shown)
-    pictures.push_back(picture_of(picture, sweep.points[i], meshes));
-  return paired(pictures);
+  return paired(list_of_each(
+      shown, [&](std::size_t i) { return picture_of(picture, sweep.points[i], meshes); }));
 }
 
 Json slip_charts(const TendonSweepResult& sweep) {

@@ -77,11 +77,10 @@ Json mesh_layer(const std::string& name, const std::string& color, double opacit
   TriangleMesh mesh = picture.mesh;
   mesh.vertices /= 1000;               // the table counts in mm, the scene in N
   constexpr double kCreaseAngle = 20;  // Angle beyond which an edge is drawn sharp [deg]
-  return {{"name", name},
-          {"color", color},
-          {"items", Json::array({{{"kind", "mesh"},
-                                  {"mesh", meshes.add(mesh, {kCreaseAngle, {}})},
-                                  {"opacity", opacity}}})}};
+  return layer(name, color,
+               Json::array({{{"kind", "mesh"},
+                             {"mesh", meshes.add(mesh, {kCreaseAngle, {}})},
+                             {"opacity", opacity}}}));
 }
 
 Json axes_layer() {
@@ -92,7 +91,7 @@ Json axes_layer() {
                      {"vector", numbers3(1.15 * Eigen::Vector3d::Unit(k))},
                      {"radius", 0.008},
                      {"label", std::string(1, "xyz"[k])}});
-  return {{"name", "axes"}, {"color", kShadow}, {"items", items}};
+  return layer("axes", kShadow, items);
 }
 
 /// Three coordinates of the set: those of all wrenches, and of those without the other three.

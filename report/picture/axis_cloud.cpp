@@ -34,10 +34,9 @@ Json cloud_layer(const TendonDigit& start, const Eigen::VectorXd& q, const AxisC
     for (std::size_t i = 0; i < state.size(); ++i)
       for (const Json& end : ends(points[i], state[i].axis)) positions[i].push_back(end);
   }
-  Json items = Json::array();
-  for (const Json& of_hinge : positions)
-    items.push_back({{"kind", "lines"}, {"positions", of_hinge}, {"opacity", kLineOpacity}});
-  return {{"name", cloud.name}, {"color", color}, {"items", items}};
+  return layer(cloud.name, color, list_of_each(positions, [](const Json& of_hinge) {
+                 return Json{{"kind", "lines"}, {"positions", of_hinge}, {"opacity", kLineOpacity}};
+               }));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -36,10 +37,9 @@ MeshColor ramp_color(double fraction) {
 
 std::vector<MeshColor> ramp_colors(const Eigen::VectorXd& values, double high,
                                    const MeshColor& none) {
-  std::vector<MeshColor> colors;
-  for (const double value : values)
-    colors.push_back(value > 0 && high > 0 ? ramp_color(value / high) : none);
-  return colors;
+  return transformed(values, [&](double value) {
+    return value > 0 && high > 0 ? ramp_color(value / high) : none;
+  });
 }
 
 }  // namespace thenar

@@ -25,6 +25,19 @@ Json axis_words(const Eigen::Matrix3d& directions) {
   return words;
 }
 
+Eigen::Vector3d nearest_axis(const Eigen::Vector3d& direction) {
+  Eigen::Index most = 0;
+  direction.cwiseAbs().maxCoeff(&most);
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  axis[most] = direction[most] < 0 ? -1 : 1;
+  return axis;
+}
+
+void add_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Json& items) {
+  if ((b - a).norm() > 1e-6)
+    items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
+}
+
 Json digit_scene_block(const std::string& caption, const Eigen::Matrix3d& tip, Json layers) {
   return {{"type", "scene"},
           {"caption", caption},
@@ -37,12 +50,8 @@ Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::s
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const std::vector<Eigen::Vector3d> points = axis_points(digit.model, state);
   Json items = Json::array();
-  const auto bone = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    if ((b - a).norm() > 1e-6)
-      items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
-  };
-  for (std::size_t i = 1; i < points.size(); ++i) bone(points[i - 1], points[i]);
-  if (!points.empty()) bone(points.back(), tip_of(digit.model, state));
+  for (std::size_t i = 1; i < points.size(); ++i) add_segment(points[i - 1], points[i], items);
+  if (!points.empty()) add_segment(points.back(), tip_of(digit.model, state), items);
   return layer("bones", color, items);
 }
 

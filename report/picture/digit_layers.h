@@ -13,6 +13,12 @@ namespace thenar {
 /// @param directions  columns proximal, dorsal, radial; length 0: not known (3, 3)
 [[nodiscard]] Json axis_words(const Eigen::Matrix3d& directions);
 
+/// Returns the coordinate axis, or its opposite, that is nearest to a direction.
+[[nodiscard]] Eigen::Vector3d nearest_axis(const Eigen::Vector3d& direction);
+
+/// Adds a bone from one place to another, unless they are the same. [m]
+void add_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Json& items);
+
 /// Returns a layer of bones from joint to joint to the tip. @param q  posture [rad]
 [[nodiscard]] Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                               const std::string& color);

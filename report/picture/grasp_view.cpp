@@ -70,8 +70,7 @@ bool blocks(const Blocker& blocker, const Vector3d& p_W, const Vector3d& d_W) {
 }
 
 bool is_seen(const std::vector<Blocker>& blockers, const Vector3d& p_W, const Vector3d& d_W) {
-  return std::none_of(blockers.begin(), blockers.end(),
-                      [&](const Blocker& each) { return blocks(each, p_W, d_W); });
+  return !any_of(blockers, [&](const Blocker& each) { return blocks(each, p_W, d_W); });
 }
 
 std::vector<Vector3d> directions(const Eyes& eyes) {
@@ -103,10 +102,8 @@ Eigen::Matrix3Xd corners_of(const GraspBody& object) {
 /// World frame.
 std::vector<Contact> seen_in_world(const std::vector<HandContact>& contacts,
                                    const Pose<double>& X_WB) {
-  std::vector<Contact> seen;
-  seen.reserve(contacts.size());
-  for (const HandContact& each : contacts) seen.push_back(seen_from(X_WB, each.contact));
-  return seen;
+  return transformed(contacts,
+                     [&](const HandContact& each) { return seen_from(X_WB, each.contact); });
 }
 
 /// Share of the contacts that is seen from there [1].

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/picture/skin_layer.h"
+
 namespace thenar {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr const char* kCarrier = "#a3abb5";
 constexpr const char* kObject = "#e6a83c";
 constexpr const char* kObstacle = "#b9c0c9";
 constexpr const char* kContact = "#b3261e";
-const MeshColor kSkinColor(0xdf, 0xab, 0x8f), kNailColor(0xf0, 0xd3, 0xc6);
 constexpr double kObjectOpacity = 0.6;  // Opacity of the object [1]
 // Length of arrows and of sides of cones, over the object's reach [1], and the largest [m]
 constexpr double kArrowShare = 0.25;
@@ -29,8 +30,7 @@ const char* digit_color(std::size_t index) {
 std::vector<std::string> digits_of(const Hand& hand) {
   std::vector<std::string> digits;
   for (const LinkSurface& surface : hand.surfaces())
-    if (std::find(digits.begin(), digits.end(), surface.digit) == digits.end())
-      digits.push_back(surface.digit);
+    if (!contains(digits, surface.digit)) digits.push_back(surface.digit);
   return digits;
 }
 
@@ -51,17 +51,7 @@ std::string color_of(const Hand& hand, const std::string& digit, std::size_t ind
 MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patches) {
   if (surface.material == "bone") return {};
   if (!is_skin(surface)) return {kBodyCrease, {}};
-  MeshLook look;
-  for (const SkinPatch& patch : patches) {
-    if (patch.kind != PatchKind::kNail || patch.middle.digit != surface.digit ||
-        patch.middle.link != surface.link)
-      continue;
-    const Eigen::Matrix3Xd& vertices = surface.solid->visual.vertices;
-    for (Eigen::Index i = 0; i < vertices.cols(); ++i)
-      look.colors.push_back(on_patch(patch, vertices.col(i)) ? kNailColor : kSkinColor);
-    return look;
-  }
-  return look;
+  return {-1, nail_colors(surface.solid->visual, patches, surface.digit, surface.link)};
 }
 
 Json body_item(const GraspBody& body, MeshTable& meshes) {
@@ -75,8 +65,7 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
   const Hand& hand = picture.hand;
   const std::vector<Pose<double>> links = hand.pose(picture.q);
   const std::vector<std::string> digits = digits_of(hand);
-  Json layers = Json::array();
-  Json carriers = Json::array();
+  Json layers = Json::array(), carriers = Json::array();
   for (std::size_t d = 0; d < digits.size(); ++d) {
     Json items = Json::array();
     for (std::size_t s = 0; s < hand.surfaces().size(); ++s) {
@@ -141,11 +130,6 @@ Json picture_block(const std::string& caption, const Eigen::Vector3d& view, Json
 
 Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {
   return with(picture_block(caption, view, std::move(layers)), {{"compact", true}});
-}
-
-Json joined(Json layers, const Json& more) {
-  for (const Json& each : more) layers.push_back(each);
-  return layers;
 }
 
 }  // namespace thenar

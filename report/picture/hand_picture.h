@@ -44,7 +44,4 @@ struct HandPicture {
 [[nodiscard]] Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view,
                                    Json layers);
 
-/// Returns `layers` followed by `more`.
-[[nodiscard]] Json joined(Json layers, const Json& more);
-
 }  // namespace thenar

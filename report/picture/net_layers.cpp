@@ -8,9 +8,7 @@ namespace {
 constexpr const char* kSlackGrey = "#8a8f99";
 
 Json line(const std::vector<Eigen::Vector3d>& points) {
-  Json positions = Json::array();
-  for (const Eigen::Vector3d& p : points) positions.push_back(in_mm(p));
-  return {{"kind", "line"}, {"positions", positions}};
+  return {{"kind", "line"}, {"positions", list_of_each(points, in_mm)}};
 }
 
 }  // namespace
@@ -64,14 +62,12 @@ Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
     }
   }
   // Knots that float, and their names in a layer that is hidden at first.
-  Json knots = Json::array();
-  for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    if (net.nodes[i].free) knots.push_back(in_mm(rest.x.col(static_cast<Eigen::Index>(i))));
-  Json ties = Json::array();
+  Json knots = Json::array(), ties = Json::array();
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     if (!net.nodes[i].free) continue;
+    knots.push_back(in_mm(rest.x.col(static_cast<Eigen::Index>(i))));
     ties.push_back({{"kind", "points"},
-                    {"positions", Json::array({in_mm(rest.x.col(static_cast<Eigen::Index>(i)))})},
+                    {"positions", Json::array({knots.back()})},
                     {"radius", 0.6},
                     {"label", net.nodes[i].name}});
   }

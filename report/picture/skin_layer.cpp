@@ -1,12 +1,10 @@
 #include "report/picture/skin_layer.h"
 
 #include <optional>
-#include <vector>
 
 #include "base/error.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_body.h"
-#include "hand/skin/skin_landmarks.h"
 #include "report/picture/color_ramp.h"
 
 namespace thenar {
@@ -26,7 +24,8 @@ std::optional<HandAnatomy> anatomy_of(const Subject& subject) {
   }
 }
 
-/// Colours of a segment's skin; none where it has no nail.
+}  // namespace
+
 std::vector<MeshColor> nail_colors(const TriangleMesh& mesh, const std::vector<SkinPatch>& patches,
                                    const std::string& digit, int link) {
   const MeshColor skin = color_of_hex(kFleshColor), nail = color_of_hex(kNailTint);
@@ -40,8 +39,6 @@ std::vector<MeshColor> nail_colors(const TriangleMesh& mesh, const std::vector<S
   }
   return colors;
 }
-
-}  // namespace
 
 Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
   // Skin needs the anatomy of the hand, and is drawn of this digit alone.
@@ -64,9 +61,7 @@ Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
     mesh.vertices = ((at.R * mesh.vertices).colwise() + at.p).eval();
     const MeshLook look{-1, nail_colors(mesh, patches, own->name, link->second)};
     const Pose<double> X = link->second < 0 ? Pose<double>{} : nth(digit.at, link->second).X;
-    Json item = mesh_item(meshes.add(mesh, look), X);
-    item["opacity"] = kSeenThrough;
-    items.push_back(std::move(item));
+    items.push_back(with(mesh_item(meshes.add(mesh, look), X), {{"opacity", kSeenThrough}}));
   }
   if (items.empty()) return nullptr;
   return layer("skin", kFleshColor, std::move(items));

@@ -3,6 +3,7 @@
 /// Skin of a digit as a translucent layer of a 3D picture, with its nail.
 
 #include "data/io/subject.h"
+#include "hand/skin/skin_landmarks.h"
 #include "report/picture/mesh_table.h"
 #include "tendons/tendon_model.h"
 
@@ -14,6 +15,12 @@ struct SkinnedDigit {
   const TendonDigit& tendons;   // digit before a fit, with its segments
   const TreeState<double>& at;  // state of its links in the picture
 };
+
+/// Returns a colour for every vertex of the skin of a segment: skin, or nail where its patch is;
+/// empty if it has no nail.
+[[nodiscard]] std::vector<MeshColor> nail_colors(const TriangleMesh& mesh,
+                                                 const std::vector<SkinPatch>& patches,
+                                                 const std::string& digit, int link);
 
 /// Returns a layer with a translucent mesh for each segment that has flesh; skin and nail have
 /// their own colours.

@@ -19,9 +19,7 @@
 #include "studies/pages/measured_lessons.h"
 #include "studies/pages/thumb_recovery.h"
 #include "studies/pages/thumb_study.h"
-#include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
-#include "tendons/tendon_model.h"
 
 namespace thenar {
 namespace {
@@ -142,64 +140,6 @@ Json provenance_of(const ThumbRecoveryResult& result) {
   return out;
 }
 
-}  // namespace
-
-Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
-  // Draw each thumb, and put its largest forces into the table.
-  Json scenes = Json::array(), rows = Json::array();
-  for (const DemoThumb& of : thumbs) {
-    const ShownThumb thumb = prepare(of);
-    scenes.push_back(thumb_scene(thumb, meshes));
-    rows.push_back(thumb_row(thumb));
-  }
-  std::vector<BlockColumn> columns{"thumb", "dimension:0", "corners:0", "volume [N\u00b3]:0"};
-  for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
-  return section(
-      "thumbs", "The thumb: orthogonal and skewed axes",
-      "Every force that the pinned thumbtip can exert while each tendon tension lies between zero "
-      "and its largest and all joint torques are in balance. The first two thumbs bend 30 degrees "
-      "at MCP and IP and have the same seven tendons, constant moment arms [Nakajima2022] and "
-      "largest forces [McFarland2023]; their axes differ: four that cross or run parallel, and "
-      "five that do neither [GraspIt]. The arms are borrowed from yet another thumb, so compare "
-      "shapes, not newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], "
-      "in the posture in which it was digitised.\n\nThe more axes the same tendons must balance at "
-      "once, the smaller the set: a fifth axis costs force. Scenes of one frame turn together; the "
-      "back of the hand is up.",
-      Json::array(
-          {row_block(scenes),
-           table_block("Feasible thumbtip forces: the set, and the largest pure force along "
-                       "the thumb's own directions; 0 where no tensions make a pure "
-                       "force that way with every joint in balance",
-                       columns, rows)}));
-}
-
-Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
-  // Predictions of fingers that were fitted and of one that was not, side by side.
-  Json rows = Json::array(), runs = Json::array();
-  for (const DemoPosterior& posterior : posteriors) {
-    for (const Prediction& prediction : posterior.fitted)
-      rows.push_back(posterior_row(posterior, prediction, "in sample"));
-    for (const Prediction& prediction : posterior.unseen)
-      rows.push_back(posterior_row(posterior, prediction, "never fitted"));
-    runs.push_back(chains_row(posterior));
-  }
-  return section(
-      "posteriors", "Posteriors at a glance",
-      "Draws in place of a single best point show how much the forces determine. Errors "
-      "are those of the posterior mean; intervals are predictive, noise included.",
-      Json::array({table_block("Predicted forces",
-                               {"posterior", "experiment", "how", "relative error:3",
-                                "in flexion:3", "within 95 % [%]:0"},
-                               rows),
-                   table_block("Runs of the sampler (NUTS, 4 chains)",
-                               {"posterior", "entries:0", "worst R-hat:4", "least bulk ESS:0",
-                                "divergent:0", "modes:0", "elpd, one trial left out:1", "se:1",
-                                "effective parameters:1", "Pareto k too large:0", "sampling [s]:1"},
-                               runs)}));
-}
-
-namespace {
-
 /// A page of some sections. @param figure  type of the block that stands for it
 SetPage question(const std::string& file, const std::string& title, const Finding& finding,
                  Json sections, const char* figure, const MeshTable& meshes = {}) {
@@ -289,6 +229,60 @@ SetPage front_of(double seconds) {
 }
 
 }  // namespace
+
+Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
+  // Draw each thumb, and put its largest forces into the table.
+  Json scenes = Json::array(), rows = Json::array();
+  for (const DemoThumb& of : thumbs) {
+    const ShownThumb thumb = prepare(of);
+    scenes.push_back(thumb_scene(thumb, meshes));
+    rows.push_back(thumb_row(thumb));
+  }
+  std::vector<BlockColumn> columns{"thumb", "dimension:0", "corners:0", "volume [N\u00b3]:0"};
+  for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
+  return section(
+      "thumbs", "The thumb: orthogonal and skewed axes",
+      "Every force that the pinned thumbtip can exert while each tendon tension lies between zero "
+      "and its largest and all joint torques are in balance. The first two thumbs bend 30 degrees "
+      "at MCP and IP and have the same seven tendons, constant moment arms [Nakajima2022] and "
+      "largest forces [McFarland2023]; their axes differ: four that cross or run parallel, and "
+      "five that do neither [GraspIt]. The arms are borrowed from yet another thumb, so compare "
+      "shapes, not newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], "
+      "in the posture in which it was digitised.\n\nThe more axes the same tendons must balance at "
+      "once, the smaller the set: a fifth axis costs force. Scenes of one frame turn together; the "
+      "back of the hand is up.",
+      Json::array(
+          {row_block(scenes),
+           table_block("Feasible thumbtip forces: the set, and the largest pure force along "
+                       "the thumb's own directions; 0 where no tensions make a pure "
+                       "force that way with every joint in balance",
+                       columns, rows)}));
+}
+
+Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
+  // Predictions of fingers that were fitted and of one that was not, side by side.
+  Json rows = Json::array(), runs = Json::array();
+  for (const DemoPosterior& posterior : posteriors) {
+    for (const Prediction& prediction : posterior.fitted)
+      rows.push_back(posterior_row(posterior, prediction, "in sample"));
+    for (const Prediction& prediction : posterior.unseen)
+      rows.push_back(posterior_row(posterior, prediction, "never fitted"));
+    runs.push_back(chains_row(posterior));
+  }
+  return section(
+      "posteriors", "Posteriors at a glance",
+      "Draws in place of a single best point show how much the forces determine. Errors "
+      "are those of the posterior mean; intervals are predictive, noise included.",
+      Json::array({table_block("Predicted forces",
+                               {"posterior", "experiment", "how", "relative error:3",
+                                "in flexion:3", "within 95 % [%]:0"},
+                               rows),
+                   table_block("Runs of the sampler (NUTS, 4 chains)",
+                               {"posterior", "entries:0", "worst R-hat:4", "least bulk ESS:0",
+                                "divergent:0", "modes:0", "elpd, one trial left out:1", "se:1",
+                                "effective parameters:1", "Pareto k too large:0", "sampling [s]:1"},
+                               runs)}));
+}
 
 std::vector<SetPage> demo_pages(const DemoResult& demo, double seconds) {
   std::vector<SetPage> pages;

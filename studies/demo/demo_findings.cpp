@@ -8,7 +8,6 @@
 #include "base/units.h"
 #include "posterior/hand_posterior.h"
 #include "report/words.h"
-#include "studies/pages/fit_study_page.h"
 #include "studies/pages/measured_lessons.h"
 #include "studies/pages/thumb_recovery.h"
 

@@ -7,7 +7,6 @@
 #include "base/units.h"
 #include "grasp/compare/closure_counts.h"
 #include "report/pages/compare_rungs.h"
-#include "report/pages/comparison_tables.h"
 #include "studies/demo/demo_findings.h"
 
 namespace thenar {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "report/answers/simulate_scene.h"
 #include "report/pages/scene_run.h"
 #include "studies/demo/demo_findings.h"
 
@@ -11,12 +10,8 @@ namespace thenar {
 namespace {
 
 Json pad_series(const std::string& name, const std::vector<PadState>& states) {
-  Json force = Json::array(), angle = Json::array();
-  for (const PadState& state : states) {
-    force.push_back(state.force);
-    angle.push_back(state.angle / kDegree);
-  }
-  return curve_json(name, std::move(force), std::move(angle), "both");
+  const auto angle = [](const PadState& state) { return state.angle / kDegree; };
+  return curve_of_each(name, states, &PadState::force, angle, "both");
 }
 
 /// The angle of the pad over the force of the grip.

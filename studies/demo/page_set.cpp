@@ -72,8 +72,9 @@ void fill_front_page(const std::vector<SetPage>& pages, SetPage& front) {
 }
 
 void link_pages(std::vector<SetPage>& pages) {
-  Json list = Json::array();
-  for (const SetPage& page : pages) list.push_back({{"file", page.file}, {"title", page.title}});
+  const Json list = list_of_each(pages, [](const SetPage& page) {
+    return Json{{"file", page.file}, {"title", page.title}};
+  });
   for (SetPage& page : pages) {
     page.page["file"] = page.file;
     page.page["pages"] = list;

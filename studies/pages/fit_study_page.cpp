@@ -25,12 +25,11 @@ Json error_row(const std::string& specimen, const std::string& what, const std::
 Json rows_of(const SpecimenStudy& study) {
   // Begin with what the fit has seen, then what it has not, then predictions without a fit.
   const std::string specimen = study.fit.problem.specimens().front();
-  Json rows = Json::array();
-  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample));
-  rows.push_back(error_row(specimen, "Fit, posture left out", "other postures",
-                           study.postures.experiments.front()));
-  rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
-                           study.tendons.experiments.front()));
+  Json rows = Json::array({error_row(specimen, "Fit, in sample", "all rows", study.in_sample),
+                           error_row(specimen, "Fit, posture left out", "other postures",
+                                     study.postures.experiments.front()),
+                           error_row(specimen, "Fit, tendon left out", "other tendons",
+                                     study.tendons.experiments.front())});
   for (const BaselinePrediction& baseline : study.baselines)
     rows.push_back(error_row(specimen, baseline.name, baseline.data_seen, baseline.prediction));
   return rows;
@@ -38,15 +37,13 @@ Json rows_of(const SpecimenStudy& study) {
 
 Json bars(const std::vector<SpecimenStudy>& studies) {
   // One group of bars for each specimen, in the order of the table.
-  Json groups = Json::array();
-  for (const SpecimenStudy& study : studies) {
-    Json values = Json::array();
-    for (const Json& row : rows_of(study)) {
-      values.push_back(
-          {{"series", row[1]}, {"value", std::round(1000 * row[3].get<double>()) / 1000}});
-    }
-    groups.push_back({{"name", study.fit.problem.specimens().front()}, {"values", values}});
-  }
+  const auto bar = [](const Json& row) {
+    return Json{{"series", row[1]}, {"value", std::round(1000 * row[3].get<double>()) / 1000}};
+  };
+  const Json groups = list_of_each(studies, [&](const SpecimenStudy& study) {
+    return Json{{"name", study.fit.problem.specimens().front()},
+                {"values", list_of_each(rows_of(study), bar)}};
+  });
   return {{"type", "bars"},
           {"caption", "Relative error of predicted fingertip forces: RMS residual over RMS force"},
           {"x_label", "relative error"},
@@ -57,15 +54,10 @@ Json bars(const std::vector<SpecimenStudy>& studies) {
 /// Rise of the cost while one parameter is held and all others make up for it.
 Json profiles(const SpecimenStudy& study) {
   // A profile holds one parameter at a value and fits all others again.
-  Json series = Json::array();
-  for (const Profile& profile : study.profiles) {
-    Json x = Json::array(), y = Json::array();
-    for (const ProfilePoint& point : profile.points) {
-      x.push_back(point.z);
-      y.push_back(point.rise);
-    }
-    series.push_back(curve_json(profile.name, x, y, "both"));
-  }
+  const Json series = list_of_each(study.profiles, [](const Profile& profile) {
+    return curve_of_each(profile.name, profile.points, &ProfilePoint::z, &ProfilePoint::rise,
+                         "both");
+  });
   return with(
       lines_block(fmt::format("{}: profiles of the best known parameters, priors included; a "
                               "profile is inside the line within its 95 % interval",
@@ -87,8 +79,7 @@ Json population_row(const std::string& specimen, const std::string& what,
 Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
   // Rows of all specimens, one below the other.
   Json rows = Json::array();
-  for (const SpecimenStudy& study : studies)
-    for (const Json& row : rows_of(study)) rows.push_back(row);
+  for (const SpecimenStudy& study : studies) rows = joined(std::move(rows), rows_of(study));
   Json table = table_block(
       "Errors on the same 24 force vectors of each specimen: in space, in the flexion plane alone, "
       "and the median angle between predicted and measured",
@@ -176,13 +167,12 @@ Json parameter_page(const std::vector<SpecimenStudy>& studies) {
 }
 
 Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes) {
-  Json scenes = Json::array();
-  for (const SpecimenStudy& study : studies) scenes.push_back(fitted_scene(study.fit, 0, meshes));
+  const auto scene = [&](const SpecimenStudy& study) { return fitted_scene(study.fit, 0, meshes); };
   return section(
       "finger", "The fitted finger",
       "Joint axes and straight tendon runs within the skin; the layers can be switched. The "
       "scenes turn together.",
-      Json::array({row_block(scenes)}));
+      Json::array({row_block(list_of_each(studies, scene))}));
 }
 
 Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {

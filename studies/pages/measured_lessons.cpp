@@ -64,16 +64,10 @@ std::size_t measured_numbers(const MeasuredLessons& of) {
   return 3 * of.force.trials.size() + of.losses.blocks.size();
 }
 
-/// Returns true if the values of a key of a block are assumed, not measured.
-bool is_assumed(const NerveBlock& block, const std::string& key) {
-  return std::find(block.assumed.begin(), block.assumed.end(), key) != block.assumed.end();
-}
-
 Json measured_table(const MeasuredLessons& of) {
   const auto of_draws = [&](auto row) {
-    std::vector<Eigen::RowVectorXd> rows;
-    for (const ReweightedDraws& draws : of.reweighted) rows.push_back(row(draws.predicted));
-    return rows;
+    return transformed(of.reweighted,
+                       [&](const ReweightedDraws& draws) { return row(draws.predicted); });
   };
   Json rows = Json::array();
   // Components of the forces, in the order of the file, which argues what it cites itself for.
@@ -219,8 +213,9 @@ std::string assumed_of_losses(const PinchLosses& losses) {
   // Name what the file marks as assumed rather than published.
   std::vector<std::string> sds, shares;
   for (const NerveBlock& block : losses.blocks) {
-    if (is_assumed(block, "sd")) sds.push_back(fmt::format("{:.2f} ({})", block.sd, block.nerve));
-    if (is_assumed(block, "left")) shares.push_back(block.nerve);
+    if (contains(block.assumed, "sd"))
+      sds.push_back(fmt::format("{:.2f} ({})", block.sd, block.nerve));
+    if (contains(block.assumed, "left")) shares.push_back(block.nerve);
   }
   std::string words;
   if (!sds.empty()) words += fmt::format(" Their sds are ASSUMED too: {}.", fmt::join(sds, ", "));
@@ -384,7 +379,7 @@ std::string doubt_of(const DataUpdate& update) {
 }
 
 const DataUpdate& update_by_both(const ReweightedDraws& draws) {
-  return *std::find_if(draws.updates.begin(), draws.updates.end(), [](const DataUpdate& update) {
+  return *find_where(draws.updates, [](const DataUpdate& update) {
     return update.added.force && update.added.losses && update.added.sd_factor == 1 &&
            !update.added.clamped;
   });

@@ -18,10 +18,9 @@ namespace {
 
 /// Prior sd of the first parameter of a kind that was free [display unit].
 double stated_sd(const ThumbRecovery& of, ParameterKind kind) {
-  const std::vector<Parameter>& all = of.fit->problem.parameters().all;
-  const auto first =
-      std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.kind == kind; });
-  return first == all.end() ? 0 : first->sd * display_scale(*first);
+  const Parameter* first = find_where(of.fit->problem.parameters().all,
+                                      [&](const Parameter& p) { return p.kind == kind; });
+  return first == nullptr ? 0 : first->sd * display_scale(*first);
 }
 
 /// "five_axis_skewed" of "data/fits/five_axis_skewed.toml".
@@ -141,10 +140,8 @@ Json number_table(const ThumbRecovery& of) {
 /// Describes the asymmetry of the draws of a number: their reach to either side of the mean.
 std::string skew_words(const ThumbRecovery& of, const std::string& name) {
   // Draws may be skewed, which an sd from a covariance cannot show.
-  const auto worst =
-      std::find_if(of.numbers.begin(), of.numbers.end(),
-                   [&](const RecoveredNumber& number) { return number.name == name; });
-  if (worst == of.numbers.end()) return "";
+  const RecoveredNumber* worst = find_named(of.numbers, name);
+  if (worst == nullptr) return "";
   const RecoveredValue& drawn = worst->drawn;
   return fmt::format(
       " There 95 % of the draws reach from {:.1f} sds below their mean to {:.1f} above it (a "

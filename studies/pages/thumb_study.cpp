@@ -37,14 +37,12 @@ Json scores(const TaskScores& tasks) {
 /// The orthogonal fit of the same data.
 const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
   const ThumbFitSettings& s = fit.settings;
-  for (const ThumbFit& other : study.fits) {
+  return find_where(study.fits, [&](const ThumbFit& other) {
     const ThumbFitSettings& o = other.settings;
-    if (!o.skewed && s.skewed && o.arms == s.arms && o.noise == s.noise &&
-        o.postures == s.postures && o.skewness == s.skewness && o.with_tasks == s.with_tasks &&
-        o.prior_width == s.prior_width)
-      return &other;
-  }
-  return nullptr;
+    return !o.skewed && s.skewed && o.arms == s.arms && o.noise == s.noise &&
+           o.postures == s.postures && o.skewness == s.skewness && o.with_tasks == s.with_tasks &&
+           o.prior_width == s.prior_width;
+  });
 }
 
 Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
@@ -52,13 +50,12 @@ Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
   Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
            100 * fit.relative_error};
   row = joined(std::move(row), scores(fit.tasks));
-  const ThumbFit* rival = rival_of(study, fit);
-  if (rival != nullptr) {
+  Json gained{nullptr, nullptr};
+  if (const ThumbFit* rival = rival_of(study, fit)) {
     const ElpdDifference gain = compare_elpd(fit.left_out, rival->left_out);
-    row = joined(std::move(row), {gain.elpd, gain.se});
-  } else {
-    row = joined(std::move(row), {nullptr, nullptr});
+    gained = {gain.elpd, gain.se};
   }
+  row = joined(std::move(row), gained);
   // Tell whether the left-out density and the chains may be believed.
   row.push_back((fit.left_out.k.array() > fit.left_out.good_k).count());
   row.push_back(fit.run.convergence.worst_r_hat);
@@ -192,15 +189,10 @@ std::vector<std::pair<std::string, LearntOver>> learnt_axes(const ThumbStudy& st
 
 Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
   // One line for each part of an axis.
-  Json lines = Json::array();
-  for (const auto& [part, points] : learnt_axes(study, over, arms)) {
-    Json x = Json::array(), y = Json::array();
-    for (const auto& [at, learnt] : points) {
-      x.push_back(at);
-      y.push_back(learnt.ratios / learnt.count);
-    }
-    lines.push_back(curve_json(part, std::move(x), std::move(y), "both"));
-  }
+  const auto mean = [](const auto& point) { return point.second.ratios / point.second.count; };
+  const Json lines = list_of_each(learnt_axes(study, over, arms), [&](const auto& axis) {
+    return curve_of_each(axis.first, axis.second, &LearntOver::value_type::first, mean, "both");
+  });
   return with(
       lines_block(
           fmt::format("What is left of the prior's sd of each axis of the skewed thumb, over the "

@@ -1,12 +1,10 @@
 #include "studies/questions/demo.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "data/io/scene/scene_pad.h"
 #include "posterior/hand_posterior.h"
@@ -76,21 +74,17 @@ DemoHood bend_hood(const StudyInputs& inputs) {
   loaded.digit = "middle";
   loaded.tendons = build_digit_tendons(subject, loaded.digit, options, &net);
   const TendonNames& names = loaded.bones().names;
-  const auto index = [](const std::vector<std::string>& list, const char* name) {
-    return std::find(list.begin(), list.end(), name) - list.begin();
-  };
-
   // Bent at PIP and DIP under constant tensions.
-  const Eigen::Index pip = index(names.coordinates, "PIP3"), dip = index(names.coordinates, "DIP3");
+  const int pip = place_in(names.coordinates, "PIP3"), dip = place_in(names.coordinates, "DIP3");
   Eigen::VectorXd q = Eigen::VectorXd::Zero(loaded.bones().model.coordinates), bent = q;
   bent[pip] = radians(60);
   bent[dip] = radians(40);
   loaded.t = Eigen::VectorXd::Zero(loaded.bones().max_tension.size());
-  loaded.t[index(names.muscles, "EDC")] = 2.9;
-  loaded.t[index(names.muscles, "LU")] = 0.4;
-  loaded.t[index(names.muscles, "UI")] = 0.4;
+  loaded.t[place_in(names.muscles, "EDC")] = 2.9;
+  loaded.t[place_in(names.muscles, "LU")] = 0.4;
+  loaded.t[place_in(names.muscles, "UI")] = 0.4;
   loaded.grid.postures = postures_between(q, bent, 24);
-  loaded.grid.varied = {static_cast<int>(pip)};
+  loaded.grid.varied = {pip};
   loaded.grid.row = loaded.grid.postures.size();
   loaded.sources = {inputs.population_subject};
   hood.sweep.points = sweep_digit(*loaded.tendons, loaded.grid.postures, loaded.t);
@@ -162,10 +156,10 @@ std::optional<DemoPosterior> sample_one(const SampledPosterior& of, const StudyI
   DemoPosterior posterior{of.name, sampled(of.inputs, of.lengths, progress), {}, {}, {}};
   if (!posterior.run.draws.complete) return {};
   posterior.run.run = run;
-  std::vector<Experiment> unseen;
-  for (const SourceText& source : inputs.unseen)
-    unseen.push_back(parse_experiment(source.text, source.path));
-  judge(unseen, posterior);
+  const auto parse = [](const SourceText& source) {
+    return parse_experiment(source.text, source.path);
+  };
+  judge(transformed(inputs.unseen, parse), posterior);
   return posterior;
 }
 

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "api/named/data_folders.h"
-#include "api/named/files.h"
 #include "base/parallel_tasks.h"
 #include "dynamics/stepping/contact_step.h"
 #include "hand/skin/skin_landmarks.h"

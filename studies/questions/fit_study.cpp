@@ -1,10 +1,7 @@
 #include "studies/questions/fit_study.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "kinematics_fit/fit_residuals.h"
-#include "kinematics_fit/force_jacobian.h"
 
 namespace thenar {
 namespace {

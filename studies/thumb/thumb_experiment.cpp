@@ -23,6 +23,34 @@ PostureRecord posture(const char* name, std::array<double, 5> degrees) {
   return record;
 }
 
+std::string list(const Eigen::Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
+
+std::string table(const std::map<std::string, double>& values) {
+  std::vector<std::string> parts;
+  parts.reserve(values.size());
+  for (const auto& [name, value] : values) parts.push_back(fmt::format("{} = {}", name, value));
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::string row_of(const Trial& trial, const std::string& experiment) {
+  require(trial.sd.has_value(), "a trial of '{}' in posture '{}' has no sd", experiment,
+          trial.posture);
+  return fmt::format("  {{posture = \"{}\", tension_N = {}, force_N = {}, sd_N = {}}},\n",
+                     trial.posture, table(trial.tension), list(trial.force), list(*trial.sd));
+}
+
+std::string activation_of(const ActivationRow& row, const std::string& experiment) {
+  require(row.force_sd.has_value() && !row.sd.empty(),
+          "a row of activations of '{}' in posture '{}' has no sd", experiment, row.posture);
+  return fmt::format(
+      "\n[[activation]]\nposture = \"{}\"\nactivation = {}\nactivation_sd = {}\n"
+      "activation_sd_of = {}\nforce_N = {}\nsd_N = {}\n",
+      row.posture, table(row.activation), row.sd.begin()->second, table(row.sd), list(row.force),
+      list(*row.force_sd));
+}
+
 }  // namespace
 
 std::vector<PostureRecord> thumb_postures() {
@@ -71,38 +99,6 @@ Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& 
   }
   return experiment;
 }
-
-namespace {
-
-std::string list(const Eigen::Vector3d& v) {
-  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
-}
-
-std::string table(const std::map<std::string, double>& values) {
-  std::vector<std::string> parts;
-  parts.reserve(values.size());
-  for (const auto& [name, value] : values) parts.push_back(fmt::format("{} = {}", name, value));
-  return fmt::format("{{{}}}", fmt::join(parts, ", "));
-}
-
-std::string row_of(const Trial& trial, const std::string& experiment) {
-  require(trial.sd.has_value(), "a trial of '{}' in posture '{}' has no sd", experiment,
-          trial.posture);
-  return fmt::format("  {{posture = \"{}\", tension_N = {}, force_N = {}, sd_N = {}}},\n",
-                     trial.posture, table(trial.tension), list(trial.force), list(*trial.sd));
-}
-
-std::string activation_of(const ActivationRow& row, const std::string& experiment) {
-  require(row.force_sd.has_value() && !row.sd.empty(),
-          "a row of activations of '{}' in posture '{}' has no sd", experiment, row.posture);
-  return fmt::format(
-      "\n[[activation]]\nposture = \"{}\"\nactivation = {}\nactivation_sd = {}\n"
-      "activation_sd_of = {}\nforce_N = {}\nsd_N = {}\n",
-      row.posture, table(row.activation), row.sd.begin()->second, table(row.sd), list(row.force),
-      list(*row.force_sd));
-}
-
-}  // namespace
 
 std::string experiment_text(const Experiment& experiment) {
   // Head of the file.

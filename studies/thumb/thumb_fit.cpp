@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "posterior/run/predict_draws.h"
 #include "studies/thumb/drawn_models.h"
 #include "studies/thumb/thumb_truth.h"
@@ -104,9 +105,8 @@ std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& 
   const std::vector<Parameter>& all = fitted.run.posterior->problem().parameters().all;
   std::vector<LearntNumber> learnt;
   for (const PosteriorQuantity& quantity : quantities) {
-    const auto parameter = std::find_if(
-        all.begin(), all.end(), [&](const Parameter& p) { return p.name == quantity.name; });
-    if (parameter == all.end() || parameter->name.find("/along") != std::string::npos) continue;
+    const Parameter* parameter = find_named(all, quantity.name);
+    if (parameter == nullptr || parameter->name.find("/along") != std::string::npos) continue;
     // Posterior beside prior, and the truth where the model can hold it.
     const Estimate e = estimate(quantity.name, quantity.draws, fitted.run.draws.group);
     LearntNumber number{e.name, quantity.unit, e.mean, e.sd, prior_sd(quantity), e.q05, e.q95, {}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/special_functions.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "sampling/diagnostics/order_statistics.h"
@@ -56,13 +57,12 @@ std::vector<RecoveredNumber> compare_numbers(const ThumbRecovery& of) {
   std::vector<RecoveredNumber> numbers;
   for (const PosteriorQuantity& quantity : posterior_quantities(of.run)) {
     // The parameter of that name, if the true thumb has a value of it.
-    const auto parameter = std::find_if(
-        all.begin(), all.end(), [&](const Parameter& p) { return p.name == quantity.name; });
-    if (parameter == all.end()) continue;
+    const Parameter* parameter = find_named(all, quantity.name);
+    if (parameter == nullptr) continue;
     const std::optional<double> truth = true_value(*parameter, of.start, of.truth);
     if (!truth) continue;
     // Least squares, whose interval is that of its covariance, beside the draws.
-    const Eigen::Index at = parameter - all.begin();
+    const Eigen::Index at = parameter - all.data();
     const double value = fitted.value[at], sd = fitted.sd[at];
     numbers.push_back(
         {quantity.name,

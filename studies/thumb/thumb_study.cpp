@@ -27,6 +27,48 @@ void add_postures(bool skewed, Arms arms, std::vector<ThumbFitSettings>& fits) {
   for (const int postures : {1, 3, 4}) fits.push_back({skewed, arms, 0.1, postures, 1, false});
 }
 
+Experiment tasks_at(const TendonDigit& truth, double noise, unsigned seed) {
+  TaskOptions options;
+  options.noise = noise;
+  options.seed = seed;
+  return simulate_tasks(truth, options);
+}
+
+Experiment pulls_of(const TendonDigit& truth, const ThumbFitSettings& settings, unsigned seed) {
+  SimulatedPullOptions pulls;
+  pulls.noise = settings.noise;
+  pulls.postures = settings.postures;
+  pulls.seed = seed;
+  return simulate_pulls(truth, pulls);
+}
+
+ThumbReference reference_of(const ThumbStudy& study, const ThumbFitSettings& settings,
+                            unsigned seed) {
+  // Pulls and tasks of the true thumb.
+  const TendonDigit truth = true_thumb(study, settings.skewness);
+  ThumbFitSettings two = settings;
+  two.postures = 2;
+  const Experiment pulls = pulls_of(truth, two, seed);
+  const Experiment tasks = tasks_at(truth, settings.noise, seed);
+  // Forces by the thumb at the start, which was not fitted.
+  const Eigen::Matrix3Xd predicted = true_forces(study.start, pulls);
+  const auto [direction, sd] = internal::direction_errors(
+      compare_forces(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols()),
+                     calibrated_on_specimen(study.start, pulls)));
+  return {settings.noise,
+          settings.skewness,
+          direction,
+          sd,
+          task_scores(task_misfits(study.start, tasks)),
+          task_scores(task_misfits(truth, tasks))};
+}
+
+void add_reference(const ThumbFitSettings& settings, unsigned seed, ThumbStudy& study) {
+  for (const ThumbReference& known : study.references)
+    if (known.noise == settings.noise && known.skewness == settings.skewness) return;
+  study.references.push_back(reference_of(study, settings, seed));
+}
+
 }  // namespace
 
 ThumbStudyInputs thumb_study_inputs(const std::string& data) {
@@ -85,52 +127,6 @@ std::string describe_fit(const ThumbFitSettings& settings) {
       settings.with_tasks ? ", with tasks" : "",
       settings.prior_width == 1 ? "" : fmt::format(", {} x prior", settings.prior_width));
 }
-
-namespace {
-
-Experiment tasks_at(const TendonDigit& truth, double noise, unsigned seed) {
-  TaskOptions options;
-  options.noise = noise;
-  options.seed = seed;
-  return simulate_tasks(truth, options);
-}
-
-Experiment pulls_of(const TendonDigit& truth, const ThumbFitSettings& settings, unsigned seed) {
-  SimulatedPullOptions pulls;
-  pulls.noise = settings.noise;
-  pulls.postures = settings.postures;
-  pulls.seed = seed;
-  return simulate_pulls(truth, pulls);
-}
-
-ThumbReference reference_of(const ThumbStudy& study, const ThumbFitSettings& settings,
-                            unsigned seed) {
-  // Pulls and tasks of the true thumb.
-  const TendonDigit truth = true_thumb(study, settings.skewness);
-  ThumbFitSettings two = settings;
-  two.postures = 2;
-  const Experiment pulls = pulls_of(truth, two, seed);
-  const Experiment tasks = tasks_at(truth, settings.noise, seed);
-  // Forces by the thumb at the start, which was not fitted.
-  const Eigen::Matrix3Xd predicted = true_forces(study.start, pulls);
-  const auto [direction, sd] = internal::direction_errors(
-      compare_forces(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols()),
-                     calibrated_on_specimen(study.start, pulls)));
-  return {settings.noise,
-          settings.skewness,
-          direction,
-          sd,
-          task_scores(task_misfits(study.start, tasks)),
-          task_scores(task_misfits(truth, tasks))};
-}
-
-void add_reference(const ThumbFitSettings& settings, unsigned seed, ThumbStudy& study) {
-  for (const ThumbReference& known : study.references)
-    if (known.noise == settings.noise && known.skewness == settings.skewness) return;
-  study.references.push_back(reference_of(study, settings, seed));
-}
-
-}  // namespace
 
 TaskScores task_scores(const std::vector<TaskMisfit>& misfits) {
   TaskScores out;

@@ -3,7 +3,6 @@
 /// True parameters of a thumb, expressed relative to the thumb that is fitted.
 
 #include <optional>
-#include <string>
 
 #include "kinematics_fit/model/parameter.h"
 #include "tendons/tendon_model.h"

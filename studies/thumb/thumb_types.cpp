@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/parallel_for.h"
 #include "base/random_stream.h"
 #include "base/units.h"
@@ -36,17 +37,15 @@ double within_half_turn(double angle) { return std::remainder(angle, 2 * kPi); }
 template <typename Items>
 const typename Items::value_type& named_item(const Items& items, const std::string& name,
                                              const char* what) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  require(found != items.end(), "the mean thumb needs a {} '{}'", what, name);
+  const auto* found = find_named(items, name);
+  require(found != nullptr, "the mean thumb needs a {} '{}'", what, name);
   return *found;
 }
 
 int axis_number(const std::vector<AxisVariability>& axes, const std::string& joint) {
-  const auto found = std::find_if(axes.begin(), axes.end(),
-                                  [&](const AxisVariability& axis) { return axis.joint == joint; });
-  require(found != axes.end(), "the types of thumbs need an [[axis]] of joint '{}'", joint);
-  return static_cast<int>(found - axes.begin());
+  const int place = place_in(transformed(axes, &AxisVariability::joint), joint);
+  require(place >= 0, "the types of thumbs need an [[axis]] of joint '{}'", joint);
+  return place;
 }
 
 /// Direction of the digit at its tip, reference posture.
@@ -114,9 +113,7 @@ MeanAndSd of_angles(std::vector<double> values) {
 DhStatistics row_statistics(const std::vector<const ThumbDraw*>& draws, std::size_t i) {
   // Angles need circular means, lengths do not.
   const auto collect = [&](double DhRow::*member) {
-    std::vector<double> values;
-    for (const ThumbDraw* draw : draws) values.push_back(draw->rows[i].*member);
-    return values;
+    return transformed(draws, [&](const ThumbDraw* draw) { return draw->rows[i].*member; });
   };
   DhStatistics out;
   for (double DhRow::*angle : {&DhRow::theta, &DhRow::alpha}) {
