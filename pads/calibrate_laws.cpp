@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "geometry/primitives.h"
 #include "pads/pad_shape.h"
 #include "pads/skin_gap.h"
 #include "solvers/least_squares.h"

@@ -9,7 +9,6 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// Returns the nodes of a cell and of its children, each once.
 std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {

@@ -1,7 +1,6 @@
 #include "pads/pad_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

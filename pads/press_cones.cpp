@@ -12,10 +12,8 @@
 namespace thenar {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 // Largest residual over that of the last iteration for which the tangent is reused [1]
 constexpr double kTangentFallRatio = 0.3;

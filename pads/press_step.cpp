@@ -11,7 +11,6 @@
 namespace thenar {
 namespace {
 
-using Eigen::Matrix3Xd;
 
 // Largest number of touching nodes for which exact cones cost less than Newton's method
 constexpr int kMaxConeNodes = 60;

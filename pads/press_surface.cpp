@@ -1,6 +1,5 @@
 #include "pads/press_surface.h"
 
-#include <algorithm>
 
 #include "pads/pad_press.h"
 #include "pads/press_state.h"

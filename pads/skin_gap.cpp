@@ -15,7 +15,6 @@
 namespace thenar {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <boost/asio.hpp>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "server/lines.h"

@@ -5,7 +5,6 @@
 namespace thenar {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void AndersonMixing::clear() {

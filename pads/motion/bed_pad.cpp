@@ -1,6 +1,5 @@
 #include "pads/motion/bed_pad.h"
 
-#include <cmath>
 
 #include "base/error.h"
 

@@ -4,7 +4,6 @@
 
 #include "api/named/files.h"
 #include "base/field_names.h"
-#include "base/nearest_name.h"
 #include "live/live_motion.h"
 #include "live/recorded_digit_motion.h"
 #include "live/recorded_motion.h"

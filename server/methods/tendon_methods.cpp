@@ -9,7 +9,6 @@
 #include "report/answers/tendon_solve.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
-#include "tendons/net/band_course.h"
 
 namespace thenar::internal {
 namespace {
