@@ -49,7 +49,7 @@ struct Fits {
   /// Returns one value for each press.
   [[nodiscard]] VectorXd all(const std::function<double(const MeasuredPress&)>& of) const {
     VectorXd out(static_cast<Index>(presses.size()));
-    for (std::size_t i = 0; i < presses.size(); ++i) out[static_cast<Index>(i)] = of(presses[i]);
+    for (std::size_t i = 0; i < presses.size(); ++i) out[i] = of(presses[i]);
     return out;
   }
 };
@@ -161,7 +161,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     const FoundationBed bed(columns, foundation_at(z, base));
     VectorXd r(2 * rows);
     for (Index i = 0; i < rows; ++i) {
-      const MeasuredPress& press = fits.presses[static_cast<std::size_t>(i)];
+      const MeasuredPress& press = fits.presses[i];
       const BedContact contact = bed.press(*press.object, press.X_PO);
       r[2 * i] = std::log(contact.force / press.force) / options.force_sd;
       r[2 * i + 1] = std::log(contact.area / press.area) / options.area_sd;

@@ -14,7 +14,7 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
   const auto count = static_cast<int>(pad.tissues.size());
   require(constant.tissue >= 0 && constant.tissue < count, "a pad of {} tissues has no tissue {}",
           count, constant.tissue);
-  Tissue& tissue = pad.tissues[static_cast<std::size_t>(constant.tissue)];
+  Tissue& tissue = pad.tissues[constant.tissue];
   switch (constant.kind) {
     case PadConstantKind::kShearModulus:
       return tissue.shear_modulus;
@@ -27,14 +27,14 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
       require(constant.term >= 0 && constant.term < terms,
               "'{}' has {} terms of relaxation, wanted number {}", tissue.name, terms,
               constant.term + 1);
-      return tissue.relaxation[static_cast<std::size_t>(constant.term)].share;
+      return tissue.relaxation[constant.term].share;
     }
     default: {
       // Tissues are ordered from the inside out, layers from the outside in.
       const auto layers = static_cast<int>(pad.shape.layers.size());
       require(constant.tissue > 0 && constant.tissue <= layers,
               "'{}' is no layer of skin, and has no thickness", tissue.name);
-      return pad.shape.layers[static_cast<std::size_t>(layers - constant.tissue)].thickness;
+      return pad.shape.layers[layers - constant.tissue].thickness;
     }
   }
 }

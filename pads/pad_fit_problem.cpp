@@ -49,7 +49,7 @@ PadConstant constant_of(const PadData& data, const PadDataConstant& named, const
     if (static_cast<std::size_t>(named.term) > terms)
       fail(
           fmt::format("this tissue has {} terms of relaxation, wanted term {}", terms, named.term));
-    if (!(tissue.relaxation_share[static_cast<std::size_t>(out.term)] > 0))
+    if (!(tissue.relaxation_share[out.term] > 0))
       fail("a share of 0 cannot be fitted: begin above it");
     if (std::none_of(data.presses.begin(), data.presses.end(),
                      [](const PadDataPress& press) { return press.ramp > 0; }))
@@ -184,7 +184,7 @@ void set_tissue(PadTissueSpec& spec, const PadConstant& constant, double value) 
       spec.poisson_ratio = value;
       return;
     case PadConstantKind::kShare:
-      spec.relaxation_share[static_cast<std::size_t>(constant.term)] = value;
+      spec.relaxation_share[constant.term] = value;
       return;
     default:
       spec.thickness = value;

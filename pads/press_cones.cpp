@@ -12,8 +12,10 @@
 namespace thenar {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 
 // Largest residual over that of the last iteration for which the tangent is reused [1]
 constexpr double kTangentFallRatio = 0.3;
@@ -34,7 +36,7 @@ void add_curvature_stiffness(PressIterate& iterate) {
   const double step = kNormalStepRatio * std::sqrt(iterate.surface.area.mean());
   const Pose<double> X_OP = iterate.state.X_PO.inverse();
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const double normal_force = iterate.state.normal_force[static_cast<Eigen::Index>(k)];
+    const double normal_force = iterate.state.normal_force[k];
     if (normal_force <= 0) continue;
     const auto normal_at = [&](const Vector3d& p) {
       return Vector3d(iterate.state.X_PO.R * iterate.object.shape->nearest(X_OP * p).normal);
@@ -63,11 +65,10 @@ bool renew_tangent(PressIterate& iterate, const Matrix3Xd& u) {
   iterate.tissue.tangent = tissue_tangent;
   if (iterate.factors.cones.factor(iterate.tissue.tangent, no_springs)) return true;
   // Add springs between touching nodes and the object.
-  Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  Matrix3Xd springs = Matrix3Xd::Zero(3, iterate.contacts.size());
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
     if (iterate.contacts[k].normal_force > 0)
-      springs.col(static_cast<Eigen::Index>(k)) =
-          std::sqrt(iterate.node_stiffness[k]) * iterate.gaps.own_gradient(k);
+      springs.col(k) = std::sqrt(iterate.node_stiffness[k]) * iterate.gaps.own_gradient(k);
   add_own_stiffness(iterate);
   return iterate.factor_stabilized(
       [&] { return iterate.factors.cones.factor(iterate.tissue.tangent, springs); });
@@ -76,8 +77,7 @@ bool renew_tangent(PressIterate& iterate, const Matrix3Xd& u) {
 /// Returns the tangential slips of all nodes since the last step [m] (3, nodes).
 Matrix3Xd node_slips(const PressIterate& iterate) {
   Matrix3Xd out(3, static_cast<Eigen::Index>(iterate.contacts.size()));
-  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    out.col(static_cast<Eigen::Index>(k)) = iterate.node_slip(k);
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) out.col(k) = iterate.node_slip(k);
   return out;
 }
 

@@ -10,6 +10,7 @@
 namespace thenar {
 namespace {
 
+using Eigen::Vector3d;
 
 constexpr int kMaxCurveHalvings = 10;  // nested halvings of a step
 // First depth of a press to a force over the pad's height [1]

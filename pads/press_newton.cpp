@@ -26,8 +26,7 @@ VectorXd solve_coupled(const PressIterate& iterate, const VectorXd& b) {
     // Subtract the part of the loss that the factor contains.
     Matrix3Xd left_out = contact_force_loss(iterate, moved);
     for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      left_out.col(column) -= own_stiffness(iterate, k) * moved.col(column);
+      left_out.col(k) -= own_stiffness(iterate, k) * moved.col(k);
     }
     return left_out;
   });
@@ -52,15 +51,14 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
   moved.colwise() -= motion * iterate.goal.along;
   const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
     const NodeContact& c = iterate.contacts[k];
-    const double lost = iterate.node_stiffness[k] * gap_changes[column];
-    double& normal_force = iterate.state.normal_force[column];
+    const double lost = iterate.node_stiffness[k] * gap_changes[k];
+    double& normal_force = iterate.state.normal_force[k];
     normal_force = c.normal_force > 0 ? std::max(0.0, c.normal_force - lost) : 0;
-    iterate.state.friction_force.col(column).setZero();
+    iterate.state.friction_force.col(k).setZero();
     if (normal_force > 0)
-      iterate.state.friction_force.col(column) =
-          c.friction_force - lost_friction(iterate, k, moved.col(column), lost);
+      iterate.state.friction_force.col(k) =
+          c.friction_force - lost_friction(iterate, k, moved.col(k), lost);
   }
   iterate.state.x += dx;
   iterate.state.X_PO.p += motion * iterate.goal.along;

@@ -118,9 +118,8 @@ class SpringPress {
                              iterate_.node_stiffness, friction,
                              {iterate_.start.anchor, iterate_.state.friction_force});
     for (std::size_t k = 0; k < iterate_.contacts.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      iterate_.contacts[k].normal_force = iterate_.springs->normal_forces().col(column).norm();
-      iterate_.contacts[k].friction_force = iterate_.springs->friction_forces().col(column);
+      iterate_.contacts[k].normal_force = iterate_.springs->normal_forces().col(k).norm();
+      iterate_.contacts[k].friction_force = iterate_.springs->friction_forces().col(k);
     }
   }
 

@@ -2,6 +2,9 @@
 
 namespace thenar {
 
+using Eigen::Matrix3Xd;
+
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 bool node_sticks(const PressState& state, Eigen::Index node, double friction) {

@@ -5,6 +5,7 @@
 namespace thenar {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void AndersonMixing::clear() {

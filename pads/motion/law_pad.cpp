@@ -156,7 +156,7 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
     stretch << stiffness * (way - normal * normal.dot(way)),
         twisted * turn.angle() * turn.axis().dot(normal);
   for (int k = 0; k < 4; ++k) {
-    const ExponentialMemory& memory = moved_.friction[static_cast<std::size_t>(k)];
+    const ExponentialMemory& memory = moved_.friction[k];
     past[k] = history_of(weights, memory);
     elastic[k] = memory.x + stretch[k];
   }
@@ -185,7 +185,7 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
   // Advance the history with the elastic friction of the result.
   for (std::size_t k = 0; k < 4; ++k) {
     ExponentialMemory& memory = moved_.friction[k];
-    (void)remember(weights, elastic[static_cast<Eigen::Index>(k)], memory);
+    (void)remember(weights, elastic[k], memory);
   }
   return trial;
 }
