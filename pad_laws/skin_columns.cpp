@@ -35,7 +35,7 @@ std::vector<Eigen::Matrix3d> pieces_near(const TriangleMesh& mesh, const Eigen::
       pieces.push_back(corners);
       continue;
     }
-    for (const Eigen::Matrix3d& half : internal::halves(corners)) todo.push_back(half);
+    for (const Eigen::Matrix3d& half : internal::bisect_triangle(corners)) todo.push_back(half);
   }
   return pieces;
 }

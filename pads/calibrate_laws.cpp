@@ -239,7 +239,7 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
     add(out.area, answer.area, press.area);
     add(out.radius, answer.radius, mean_semi_axis(press) * std::sqrt(press.aspect));
     add(out.torsion, answer.arm, press.arm);
-    add(out.shear, answer.friction_force, press.shear);
+    add(out.shear, answer.shear, press.shear);
   }
   for (RelativeError* error : {&out.force, &out.area, &out.radius, &out.torsion, &out.shear})
     error->rms = std::sqrt(error->rms);

@@ -113,7 +113,7 @@ Whitened whiten(const Eigen::MatrixXd& x) {
   // Keep the eigenvectors of the correlation with nonzero variance.
   const Eigen::MatrixXd z = scale.asDiagonal() * centred;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      MatrixXd(z * z.transpose() / double(x.cols())));
+      Eigen::MatrixXd(z * z.transpose() / double(x.cols())));
   const Eigen::Index kept = (eigen.eigenvalues().array() > 1e-12).count();
   Whitened whitened;
   whitened.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
