@@ -2,10 +2,17 @@
 
 #include <cmath>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 
 namespace thenar {
 namespace {
+
+constexpr std::array kTissueConstantWords{
+    EnumName{PadConstantKind::kShearModulus, "shear modulus"},
+    EnumName{PadConstantKind::kExponent, "exponent"},
+    EnumName{PadConstantKind::kPoissonRatio, "Poisson's ratio"},
+    EnumName{PadConstantKind::kThickness, "thickness"}};
 
 /// Returns a reference to the value of a constant.
 double& constant_entry(PadModel& pad, const PadConstant& constant) {
@@ -44,19 +51,10 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
 std::string name_of(const PadModel& pad, const PadConstant& constant) {
   if (constant.kind == PadConstantKind::kBoneHeight) return "bone height";
   const Tissue& tissue = pad.tissues.at(static_cast<std::size_t>(constant.tissue));
-  switch (constant.kind) {
-    case PadConstantKind::kShearModulus:
-      return tissue.name + ": shear modulus";
-    case PadConstantKind::kExponent:
-      return tissue.name + ": exponent";
-    case PadConstantKind::kPoissonRatio:
-      return tissue.name + ": Poisson's ratio";
-    case PadConstantKind::kShare:
-      return fmt::format("{}: share of {:g} s", tissue.name,
-                         tissue.relaxation.at(static_cast<std::size_t>(constant.term)).time);
-    default:
-      return tissue.name + ": thickness";
-  }
+  if (constant.kind == PadConstantKind::kShare)
+    return fmt::format("{}: share of {:g} s", tissue.name,
+                       tissue.relaxation.at(constant.term).time);
+  return tissue.name + ": " + name_in(kTissueConstantWords, constant.kind);
 }
 
 DisplayUnit display_unit(PadConstantKind kind) {

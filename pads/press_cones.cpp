@@ -120,17 +120,13 @@ PressOutcome press_by_cones(PressIterate& iterate) {
     const bool converges =
         out.iterations == 0 ||
         residual < kTangentFallRatio * std::min(residual_before, iterate.total_force);
-    if (!(has_factor && converges) && !renew_tangent(iterate, u)) {
-      out.message = "the stiffness is not positive definite";
-      return out;
-    }
+    if (!(has_factor && converges) && !renew_tangent(iterate, u))
+      return failed_by(out, "the stiffness is not positive definite");
     residual_before = residual;
     // Solve for the equilibrium of the linearized body under exact cones.
     const ContactCones::Equilibrium solution = solve_under_cones(iterate);
-    if (solution.status != Status::kSolved) {
-      out.message = "no forces of contact were found";
-      return out;
-    }
+    if (solution.status != Status::kSolved)
+      return failed_by(out, "no forces of contact were found");
     // Mix motions (Anderson) where they shrink slowly, as if friction turns with the normals.
     const bool creeps = last_dx.size() > 0 && solution.dx.norm() > kCreepRatio * last_dx.norm();
     last_dx = solution.dx;
@@ -138,10 +134,7 @@ PressOutcome press_by_cones(PressIterate& iterate) {
       mixing.clear();
     dx = mixing.next_step(solution.dx);
     // Predict the pressure and the contact forces after the motion.
-    iterate.state.pressure =
-        iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
-    iterate.state.x += dx;
-    iterate.state.X_PO.p += solution.object_motion * iterate.goal.along;
+    iterate.advance(u, dx, solution.object_motion);
     iterate.state.normal_force = solution.normal_force;
     iterate.state.friction_force = solution.friction_force;
   }

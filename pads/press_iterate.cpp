@@ -202,6 +202,12 @@ bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matri
   return true;
 }
 
+void PressIterate::advance(const Matrix3Xd& u, const VectorXd& dx, double object_motion) {
+  state.pressure = body.predict_pressure(u, body.node_displacements(dx, {}));
+  state.x += dx;
+  state.X_PO.p += object_motion * goal.along;
+}
+
 VectorXd PressIterate::solve_iteratively(
     const VectorXd& b, const std::function<Matrix3Xd(const Matrix3Xd&)>& left_out) const {
   // Solve  (1 + A^-1 B) x = A^-1 b  by GMRES, where the factor of A leaves out B.

@@ -44,9 +44,7 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
           [&](const Matrix3Xd& moved) { return contact_force_loss(iterate, moved); },
           [&](const VectorXd& b) { return solve_coupled(iterate, b); }, dx, motion))
     return false;
-  // Predict the pressure and the contact forces after the step.
-  iterate.state.pressure =
-      iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
+  // Predict the contact forces after the step.
   Matrix3Xd moved = iterate.surface_displacements(dx);
   moved.colwise() -= motion * iterate.goal.along;
   const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
@@ -60,8 +58,7 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
       iterate.state.friction_force.col(k) =
           c.friction_force - lost_friction(iterate, k, moved.col(k), lost);
   }
-  iterate.state.x += dx;
-  iterate.state.X_PO.p += motion * iterate.goal.along;
+  iterate.advance(u, dx, motion);
   return true;
 }
 
@@ -97,10 +94,8 @@ PressOutcome press_by_newton(PressIterate& iterate) {
       iterate.body.evaluate(u, iterate.goal.time, iterate.start.history, iterate.state.pressure,
                             ElementRequest::kStiffness, iterate.tissue);
     }
-    if ((!reuses_tangent && !factor_with_contacts(iterate)) || !take_step(iterate, u)) {
-      out.message = "the stiffness is not positive definite";
-      return out;
-    }
+    if ((!reuses_tangent && !factor_with_contacts(iterate)) || !take_step(iterate, u))
+      return failed_by(out, "the stiffness is not positive definite");
     // Reuse the tangent close to the solution, while contacts keep their states.
     residual_before = residual;
     reuses_tangent = same_contacts && residual < kTangentReuseShare * iterate.total_force;

@@ -7,8 +7,6 @@
 namespace thenar::internal {
 namespace {
 
-OrderedJson vector_json(const Eigen::Vector3d& v) { return OrderedJson(to_json(v)); }
-
 /// Returns the components of a force; null for those that were not measured.
 OrderedJson components_json(const Eigen::Vector3d& force, const PredictedTrial& trial) {
   OrderedJson list = OrderedJson::array();
@@ -46,8 +44,8 @@ OrderedJson axes_json(const LiveFit& fit) {
   OrderedJson axes = OrderedJson::array();
   for (std::size_t i = 0; i < digit.model.tree.size(); ++i)
     axes.push_back({{"joint", digit.names.hinges[i]},
-                    {"direction", vector_json(digit.model.tree[i].direction)},
-                    {"point", vector_json(digit.model.tree[i].point)}});
+                    {"direction", to_json(digit.model.tree[i].direction)},
+                    {"point", to_json(digit.model.tree[i].point)}});
   return axes;
 }
 

@@ -77,25 +77,22 @@ bool has_inputs(const Json& params) {
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
   // All vectors are in the world frame; the normal points out of b, and the force acts on a.
-  OrderedJson out;
-  out["a"] = names[contact.a];
-  out["b"] = names[contact.b];
-  out["point"] = to_json(contact.point);
-  out["normal"] = to_json(contact.normal);
-  out["force"] = to_json(contact.force);
-  out["torsion"] = contact.torsion;
-  out["gap"] = contact.gap;
-  out["mode"] = name_in(kContactModeNames, contact.mode);
-  return out;
+  return {{"a", names[contact.a]},
+          {"b", names[contact.b]},
+          {"point", to_json(contact.point)},
+          {"normal", to_json(contact.normal)},
+          {"force", to_json(contact.force)},
+          {"torsion", contact.torsion},
+          {"gap", contact.gap},
+          {"mode", name_in(kContactModeNames, contact.mode)}};
 }
 
 OrderedJson energy_json(const MotionEnergy& energy) {
   // Parts that a recording does not hold are null.
-  OrderedJson out;
-  out["kinetic"] = number_or_null(energy.kinetic);
-  out["weight"] = number_or_null(energy.weight);
-  out["springs"] = number_or_null(energy.springs);
-  out["total"] = energy.total;
+  OrderedJson out{{"kinetic", number_or_null(energy.kinetic)},
+                  {"weight", number_or_null(energy.weight)},
+                  {"springs", number_or_null(energy.springs)},
+                  {"total", energy.total}};
   if (!energy.balance) return out;
   out["work"] = energy.balance->work;
   out["dissipated"] = energy.balance->dissipated();
@@ -136,12 +133,11 @@ void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson
 }
 
 OrderedJson quality_json(const MotionQuality& quality) {
-  OrderedJson out;
-  out["steps"] = quality.steps;
-  out["unsolved"] = quality.unsolved;
-  out["worst_residual"] = number_or_null(quality.worst_residual);
-  out["deepest"] = quality.deepest;
-  out["leaps"] = quality.leaps;
+  OrderedJson out{{"steps", quality.steps},
+                  {"unsolved", quality.unsolved},
+                  {"worst_residual", number_or_null(quality.worst_residual)},
+                  {"deepest", quality.deepest},
+                  {"leaps", quality.leaps}};
   // Add the energy balance, null if it is not recorded.
   const std::optional<FlowBalance>& balance = quality.balance;
   out["energy_error"] = balance ? number_or_null(balance->error) : Json();
@@ -167,12 +163,10 @@ LiveMotion& motion_of(const Session& session) {
 /// Returns the description of an opened motion.
 OrderedJson opened_json(const LiveTimeline& motion) {
   const LiveTime time = motion.live_time();
-  OrderedJson out;
-  out["name"] = motion.name();
-  out["step"] = time.step;
-  out["duration"] = time.duration ? OrderedJson(*time.duration) : OrderedJson();
-  out["warnings"] = motion.warnings();
-  return out;
+  return {{"name", motion.name()},
+          {"step", time.step},
+          {"duration", time.duration ? OrderedJson(*time.duration) : OrderedJson()},
+          {"warnings", motion.warnings()}};
 }
 
 OrderedJson play_json(const LiveTimeline& motion) {
