@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -57,9 +58,7 @@ std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& 
     for (const std::array<int, 4>& face : hex_faces()) {
       HexFace found{index, {}};
       for (std::size_t i = 0; i < 4; ++i) found.nodes[i] = corners[face[i]];
-      if (std::all_of(found.nodes.begin(), found.nodes.end(),
-                      [&](int node) { return marked[node]; }))
-        out.push_back(found);
+      if (all_of(found.nodes, [&](int node) { return marked[node]; })) out.push_back(found);
     }
   }
   return out;

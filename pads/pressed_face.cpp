@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "base/lists.h"
 #include "pads/triangle_planes.h"
 
 namespace thenar {
@@ -111,8 +112,8 @@ class FacePress {
     }
     // Skip a triangle that is wholly outside one plane of a convex object.
     const bool is_convex = excess < kConvexRounding;
-    if (is_convex && std::any_of(planes.begin(), planes.end(),
-                                 [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
+    if (is_convex &&
+        any_of(planes, [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
       return;
     // Use planes at straight edges, a linear depth on smooth objects, a subdivision elsewhere.
     if (turn > kPlaneTurn && is_convex && find_planes(at, planes))

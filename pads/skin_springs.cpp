@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 using Eigen::Index;
@@ -70,11 +72,10 @@ bool SkinSprings::has_changed_sides(const Shape& object, const Pose<double>& X_P
                                     double cosine) const {
   const Matrix3Xd places = deformed_positions(surface_, before);
   const Pose<double> X_OP_before = X_PO_before.inverse();
-  return std::any_of(pressed_.begin(), pressed_.end(), [&](const PressedPart& each) {
+  return any_of(pressed_, [&](const PressedPart& each) {
     // Compare the object's normal at each pressed point with that at the earlier position.
     const FaceCorners earlier = corner_positions(*each.face, places);
-    const std::vector<PressedFace::Point>& points = each.springs.points;
-    return std::any_of(points.begin(), points.end(), [&](const PressedFace::Point& point) {
+    return any_of(each.springs.points, [&](const PressedFace::Point& point) {
       const Vector3d place = X_OP_before * Vector3d(earlier * point.shape);
       return object.nearest(place).normal.dot(X_PO.R.transpose() * point.normal) < cosine;
     });

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -183,10 +184,10 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
     };
     const Vector3d x = a - place, y = b - place, z = c - place, w = d - place;
     const std::array<double, 4> parts{side(y, w, z), side(x, z, w), side(x, w, y), side(x, y, z)};
-    return std::all_of(parts.begin(), parts.end(), [](double part) { return part >= 0; }) ||
-           std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
+    return all_of(parts, [](double part) { return part >= 0; }) ||
+           all_of(parts, [](double part) { return part <= 0; });
   };
-  return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
+  return any_of(elements_, [&](const Element& element) {
     // Compute the deformed corners; their box excludes most elements.
     std::array<Vector3d, 8> at;
     Eigen::AlignedBox3d box;
@@ -204,8 +205,7 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
 }
 
 bool TissueBody::relaxes() const {
-  return std::any_of(tissues_.begin(), tissues_.end(),
-                     [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
+  return any_of(tissues_, [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
 double TissueBody::max_shear_modulus() const {
