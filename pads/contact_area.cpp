@@ -230,9 +230,8 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
     std::array<Vector3d, 4> at;
     std::array<double, 4> value{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto node = static_cast<std::size_t>(corners[i]);
       at[i] = at_rest.col(corners[i]) + u.col(corners[i]);
-      value[i] = inside[node];
+      value[i] = inside[corners[i]];
     }
     const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
     const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;

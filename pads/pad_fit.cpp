@@ -151,8 +151,7 @@ class PadResiduals {
         r[row] = (here - datum.value) / datum.sd;
         for (Eigen::Index i = 0; i < n; ++i)
           out.J(row, i) =
-              (predicted(datum, curves.points[static_cast<std::size_t>(i) + 1]) - here) /
-              (datum.sd * kNeighbourDistance);
+              (predicted(datum, curves.points[i + 1]) - here) / (datum.sd * kNeighbourDistance);
         ++row;
       }
     }
@@ -302,8 +301,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
           fmt::format("finer cells would change {} by a factor of {:.3g}, {:.2g} sds", name(i),
                       std::exp(each.mesh_shift), std::abs(each.mesh_shift) / each.sd));
     for (std::size_t j = 0; j < i; ++j) {
-      const double together =
-          result.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      const double together = result.correlations(i, j);
       if (std::abs(together) > kJointCorrelation)
         result.warnings.push_back(fmt::format(
             "{} and {} are known only together: correlation {:.3f}", name(j), name(i), together));

@@ -133,9 +133,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
   for (const PadDataRows& rows : press.rows)
     for (std::size_t i = 0; i < rows.loads.size(); ++i) {
       PressDatum datum;
-      datum.quantity = rows.quantity == "indentation" ? PressQuantity::kIndentation
-                       : rows.quantity == "force"     ? PressQuantity::kForce
-                                                      : PressQuantity::kArea;
+      datum.quantity = value_in(kPressQuantityNames, rows.quantity, "quantity");
       datum.load = load_of(rows.loads[i]);
       if (rows.part_at) datum.over = load_of(*rows.part_at);
       datum.value = rows.values[i];

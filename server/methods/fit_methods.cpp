@@ -19,18 +19,17 @@ OrderedJson trial_json(const LiveFit& fit, int index) {
   const LiveTrial& at = fit.trials()[index];
   const Experiment& experiment = fit.source().problem.experiments()[at.experiment];
   const PredictedTrial& trial = fit.predicted(index);
-  OrderedJson json{{"trial", index},
-                   {"experiment", experiment.name},
-                   {"specimen", experiment.specimen},
-                   {"posture", trial.posture},
-                   {"loads", trial.loads},
-                   {"tensions", experiment.trials[at.trial].tension}};
-  json["measured"] = components_json(trial.measured, trial);
-  json["predicted"] = components_json(trial.predicted, trial);
-  json["sd"] = components_json(trial.sd, trial);
-  json["residual"] = components_json(trial.predicted - trial.measured, trial);
-  json["direction_error"] = direction_error(trial);
-  return json;
+  return {{"trial", index},
+          {"experiment", experiment.name},
+          {"specimen", experiment.specimen},
+          {"posture", trial.posture},
+          {"loads", trial.loads},
+          {"tensions", experiment.trials[at.trial].tension},
+          {"measured", components_json(trial.measured, trial)},
+          {"predicted", components_json(trial.predicted, trial)},
+          {"sd", components_json(trial.sd, trial)},
+          {"residual", components_json(trial.predicted - trial.measured, trial)},
+          {"direction_error", direction_error(trial)}};
 }
 
 /// Returns a number with the interval that holds 90 % of the draws; for a fit, of length zero.

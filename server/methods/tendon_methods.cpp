@@ -29,13 +29,13 @@ OrderedJson joints_json(const LiveDigit& digit) {
   OrderedJson joints = OrderedJson::array();
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const LiveJoint& joint = digit.shape().joints[i];
-    OrderedJson row{{"name", joint.name},
-                    {"field", field_name(joint.name)},
-                    {"value", angles[i]},
-                    {"lower", number_or_null(joint.lower)},
-                    {"upper", number_or_null(joint.upper)}};
-    row["led_by"] = joint.led_by.empty() ? OrderedJson() : OrderedJson(joint.led_by);
-    joints.push_back(std::move(row));
+    joints.push_back(
+        {{"name", joint.name},
+         {"field", field_name(joint.name)},
+         {"value", angles[i]},
+         {"lower", number_or_null(joint.lower)},
+         {"upper", number_or_null(joint.upper)},
+         {"led_by", joint.led_by.empty() ? OrderedJson() : OrderedJson(joint.led_by)}});
   }
   return joints;
 }
@@ -53,8 +53,7 @@ OrderedJson muscles_json(const LiveDigit& digit) {
                        {"length", number_or_null(now.length[m])}};
     muscle["arms"] = OrderedJson::object();
     for (std::size_t j = 0; j < bones.names.coordinates.size(); ++j)
-      muscle["arms"][bones.names.coordinates[j]] =
-          number_or_null(now.arms(m, static_cast<Eigen::Index>(j)));
+      muscle["arms"][bones.names.coordinates[j]] = number_or_null(now.arms(m, j));
     muscles.push_back(std::move(muscle));
   }
   return muscles;
