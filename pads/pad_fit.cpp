@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/progress_parts.h"
 
@@ -349,10 +350,9 @@ double predicted(const PressDatum& datum, const std::vector<PressPoint>& points)
 
 std::vector<PressCurves> press_records(const PadModel& pad, const std::vector<PressRecord>& records,
                                        const Progress& progress) {
-  std::vector<PressCurves> out;
-  for (const PressRecord& record : records)
-    out.push_back(press_curves({pad}, record.course, {{}, progress.stop_requested}));
-  return out;
+  return transformed(records, [&](const PressRecord& record) {
+    return press_curves({pad}, record.course, {{}, progress.stop_requested});
+  });
 }
 
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options) {

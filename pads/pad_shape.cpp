@@ -223,12 +223,8 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
   // Collect the columns in matrices.
   FoundationColumns out;
   const auto count = static_cast<Eigen::Index>(skin.size());
-  out.skin.resize(3, count);
-  out.normal.resize(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    out.skin.col(i) = skin[i];
-    out.normal.col(i) = normal[i];
-  }
+  out.skin = Eigen::Map<const Eigen::Matrix3Xd>(skin[0].data(), 3, count);
+  out.normal = Eigen::Map<const Eigen::Matrix3Xd>(normal[0].data(), 3, count);
   out.thickness = Eigen::Map<const Eigen::VectorXd>(thickness.data(), count);
   out.area = Eigen::Map<const Eigen::VectorXd>(area.data(), count);
   return out;

@@ -239,9 +239,8 @@ Matrix3Xd TissueBody::node_displacements(const VectorXd& x, const Matrix3Xd& at_
 }
 
 std::vector<MemoryStep> TissueBody::memory_steps(double h) const {
-  std::vector<MemoryStep> steps;
-  for (const Tissue& tissue : tissues_) steps.push_back(memory_step(tissue.relaxation, h));
-  return steps;
+  return transformed(tissues_,
+                     [&](const Tissue& tissue) { return memory_step(tissue.relaxation, h); });
 }
 
 Matrix3Xd TissueBody::element_displacements(const Element& element, const Matrix3Xd& u) const {
@@ -306,12 +305,10 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
 }
 
 TissuePressure TissueBody::predict_pressure(const Matrix3Xd& u, const Matrix3Xd& du) const {
-  TissuePressure out;
-  for (const Element& element : elements_)
-    out.push_back(linear_pressure(kind_, element.shape, tissues_[element.region],
-                                  element_displacements(element, u),
-                                  element_displacements(element, du)));
-  return out;
+  return transformed(elements_, [&](const Element& element) {
+    return linear_pressure(kind_, element.shape, tissues_[element.region],
+                           element_displacements(element, u), element_displacements(element, du));
+  });
 }
 
 TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,

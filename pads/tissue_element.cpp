@@ -152,7 +152,6 @@ class Dilatation {
       for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
     } else if (kind == HexElement::kMeanDilatation) {
       // Q1P0: average J over the element's volume.
-      volume_ = 0;
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
         volume_ += shape.volume[q];
@@ -162,7 +161,6 @@ class Dilatation {
     } else if (kind == HexElement::kCentroidDilatation) {
       // F-bar: take J of the mean of F, which must be positive, too.
       point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
-      volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
       fits_ = centre_.J[0] > 0;
       if (fits_) at_.fill(volumetric_response(K, centre_.J[0]));

@@ -363,9 +363,7 @@ void Engine::report_error(const std::string& text) {
 
 EngineClients Engine::clients() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  EngineClients all;
-  for (const auto& [number, client] : clients_) all.push_back(client);
-  return all;
+  return transformed(clients_, [](const auto& each) { return each.second; });
 }
 
 std::shared_ptr<EngineClient> Engine::client_of(int client) {

@@ -289,10 +289,10 @@ std::string too_long_reply() {
   return json_text(rpc_reply(nullptr, {{}, failure}), -1);
 }
 
-class LineServer::Network : public Listener<LineNet, LineClient> {
+class LineServer::Network : public ConnectionListener<LineNet, LineClient> {
  public:
   Network(Engine& engine, const ServerAccess& access)
-      : Listener(std::make_shared<LineNet>(engine, access), access, "port 0") {
+      : ConnectionListener(std::make_shared<LineNet>(engine, access), access, "port 0") {
     start();
   }
 };

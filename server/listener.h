@@ -20,11 +20,12 @@ namespace thenar {
 /// @tparam Net  state that connections share, with its `context` and its connections in `peers`
 /// @tparam Connection  made of a socket and the shared state
 template <typename Net, typename Connection>
-class Listener {
+class ConnectionListener {
  public:
   /// @param free_port  setting that takes a free port, for messages
   /// @throws InputError if the server cannot listen at the address and port
-  Listener(std::shared_ptr<Net> net, const ServerAccess& access, const std::string& free_port)
+  ConnectionListener(std::shared_ptr<Net> net, const ServerAccess& access,
+                     const std::string& free_port)
       : net_(std::move(net)), acceptor_(net_->context), retry_timer_(net_->context) {
     try {
       const boost::asio::ip::tcp::endpoint end(boost::asio::ip::make_address(access.address),
@@ -41,7 +42,7 @@ class Listener {
   }
 
   /// Finishes all connections, and closes after 0.3 s those that are still open.
-  ~Listener() {
+  ~ConnectionListener() {
     if (!thread_.joinable()) return;
     boost::asio::steady_timer deadline(net_->context);
     boost::asio::post(net_->context, [&] {
@@ -57,8 +58,8 @@ class Listener {
     thread_.join();
   }
 
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
+  ConnectionListener(const ConnectionListener&) = delete;
+  ConnectionListener& operator=(const ConnectionListener&) = delete;
 
   /// Begins to accept connections.
   void start() {

@@ -429,7 +429,7 @@ class WebServer::Network {
  private:
   std::shared_ptr<Web> web_;
   std::string opening_target_;
-  Listener<Web, WebConnection> listener_;
+  ConnectionListener<Web, WebConnection> listener_;
 };
 
 WebServer::WebServer(Engine& engine, const ServerAccess& access)

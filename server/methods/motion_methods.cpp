@@ -169,8 +169,8 @@ OrderedJson opened_json(const LiveTimeline& motion) {
           {"warnings", motion.warnings()}};
 }
 
-OrderedJson play_json(const LiveTimeline& motion) {
-  const LiveTime time = motion.live_time();
+OrderedJson play_json(const Session& session) {
+  const LiveTime time = timeline_of(session).live_time();
   return {{"t", time.t}, {"playing", time.playing}, {"speed", time.speed}};
 }
 
@@ -256,25 +256,22 @@ OrderedJson play_motion(Session& session, const Json& params, const Progress& /*
   LiveTimeline& motion = timeline_of(session);
   session.show(LiveMode::kMotion);
   motion.play(params.at("speed").get<double>());
-  return play_json(motion);
+  return play_json(session);
 }
 
 OrderedJson pause_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  motion.pause();
-  return play_json(motion);
+  timeline_of(session).pause();
+  return play_json(session);
 }
 
 OrderedJson seek_motion(Session& session, const Json& params, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  (void)motion.seek(params.at("t").get<double>());
-  return play_json(motion);
+  (void)timeline_of(session).seek(params.at("t").get<double>());
+  return play_json(session);
 }
 
 OrderedJson reset_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  motion.reset();
-  return play_json(motion);
+  timeline_of(session).reset();
+  return play_json(session);
 }
 
 // Rows.
