@@ -58,15 +58,10 @@ std::string name_of(const PadModel& pad, const PadConstant& constant) {
 }
 
 DisplayUnit display_unit(PadConstantKind kind) {
-  switch (kind) {
-    case PadConstantKind::kShearModulus:
-      return {"kPa", 1e-3};
-    case PadConstantKind::kThickness:
-    case PadConstantKind::kBoneHeight:
-      return {"mm", 1e3};
-    default:
-      return {"", 1};
-  }
+  if (kind == PadConstantKind::kShearModulus) return {"kPa", 1e-3};
+  const bool is_length =
+      kind == PadConstantKind::kThickness || kind == PadConstantKind::kBoneHeight;
+  return is_length ? DisplayUnit{"mm", 1e3} : DisplayUnit{};
 }
 
 double value_of(const PadModel& pad, const PadConstant& constant) {

@@ -1,9 +1,9 @@
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "api/named/files.h"
 #include "base/field_names.h"
+#include "base/lists.h"
 #include "live/live_motion.h"
 #include "live/recorded_digit_motion.h"
 #include "live/recorded_motion.h"
@@ -49,10 +49,8 @@ SchemaMember want_member(const Json& default_value) {
 }
 
 MotionParts wanted_parts(const Json& params) {
-  std::set<std::string> want;
-  for (const Json& word : params.at("want")) want.insert(word.get<std::string>());
-  return {want.count("joints") > 0, want.count("bodies") > 0, want.count("contacts") > 0,
-          want.count("energy") > 0, want.count("muscles") > 0};
+  const auto wants = [&](const char* part) { return contains(params.at("want"), part); };
+  return {wants("joints"), wants("bodies"), wants("contacts"), wants("energy"), wants("muscles")};
 }
 
 MotionInputs inputs_of(const Json& params) {
