@@ -74,16 +74,10 @@ bool renew_tangent(PressIterate& iterate, const Matrix3Xd& u) {
       [&] { return iterate.factors.cones.factor(iterate.tissue.tangent, springs); });
 }
 
-/// Returns the tangential slips of all nodes since the last step [m] (3, nodes).
-Matrix3Xd node_slips(const PressIterate& iterate) {
-  Matrix3Xd out(3, static_cast<Eigen::Index>(iterate.contacts.size()));
-  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) out.col(k) = iterate.node_slip(k);
-  return out;
-}
-
 /// Solves for the equilibrium of the linearized body under its contacts.
 ContactCones::Equilibrium solve_under_cones(PressIterate& iterate) {
-  const Matrix3Xd slip = node_slips(iterate);
+  Matrix3Xd slip(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) slip.col(k) = iterate.node_slip(k);
   // A force to reach drives the object against a soft spring.
   std::optional<ContactCones::Drive> drive;
   if (iterate.goal.force)

@@ -3,7 +3,6 @@
 namespace thenar {
 
 using Eigen::Matrix3Xd;
-
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
