@@ -3,7 +3,6 @@
 /// Calibrated laws of one pad with their errors.
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 

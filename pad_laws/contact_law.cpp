@@ -37,10 +37,12 @@ GapRadius radius_of(const RelativeCurvatures& gap) {
   return {1 / std::sqrt(k1 * k2), k1 / k2};
 }
 
-void check_contact_load(double depth, double force, double friction) {
+GapRadius checked_gap(const RelativeCurvatures& gap, double depth, double force, double friction) {
+  const GapRadius radius = radius_of(gap);
   require(std::isfinite(depth), "the depth of a contact must be finite, got {} m", depth);
   require(force >= 0 && friction >= 0 && std::isfinite(force + friction),
           "force and friction must be finite and >= 0, got {} N and {}", force, friction);
+  return radius;
 }
 
 }  // namespace internal

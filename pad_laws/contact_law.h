@@ -66,9 +66,10 @@ struct GapRadius {
 };
 /// Returns the radius of a gap. @throws InputError unless k1 >= k2 are finite.
 [[nodiscard]] GapRadius radius_of(const RelativeCurvatures& gap);
-/// Checks the load of a contact.
-/// @throws InputError unless all are finite, and force and friction not negative.
-void check_contact_load(double depth, double force, double friction);
+/// Checks a contact, and returns the radius of its gap.
+/// @throws InputError as radius_of(), or unless the load is finite, and force and friction not
+/// negative.
+GapRadius checked_gap(const RelativeCurvatures& gap, double depth, double force, double friction);
 }  // namespace internal
 
 }  // namespace thenar

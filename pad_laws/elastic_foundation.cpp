@@ -52,8 +52,7 @@ ElasticFoundation::ElasticFoundation(const FoundationConstants& constants,
 
 LawContact ElasticFoundation::at_depth(const RelativeCurvatures& gap, double depth,
                                        double friction) const {
-  const internal::GapRadius shape = internal::radius_of(gap);
-  internal::check_contact_load(depth, 0, friction);
+  const internal::GapRadius shape = internal::checked_gap(gap, depth, 0, friction);
   LawContact contact;
   contact.patch.depth = depth;
   if (depth <= 0) return contact;
@@ -81,8 +80,7 @@ LawContact ElasticFoundation::at_depth(const RelativeCurvatures& gap, double dep
 
 LawContact ElasticFoundation::at_force(const RelativeCurvatures& gap, double force,
                                        double friction) const {
-  const internal::GapRadius shape = internal::radius_of(gap);
-  internal::check_contact_load(0, force, friction);
+  const internal::GapRadius shape = internal::checked_gap(gap, 0, force, friction);
   if (force == 0) return {};
   // Solve log F as a function of x = log e by Newton's method, which decreases monotonically to the
   // root from a start above, because the function is convex.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -38,8 +37,7 @@ void check_pose(const Pose<double>& X, double friction) {
 template <typename Matrix>
 Matrix sorted(const Matrix& columns, const std::vector<Index>& order) {
   Matrix out(columns.rows(), columns.cols());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    out.col(static_cast<Index>(i)) = columns.col(order[i]);
+  for (std::size_t i = 0; i < order.size(); ++i) out.col(i) = columns.col(order[i]);
   return out;
 }
 
@@ -79,14 +77,12 @@ FoundationBed::FoundationBed(FoundationColumns columns, const FoundationConstant
 // NOLINTNEXTLINE(misc-no-recursion): halves each time
 void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
   Eigen::AlignedBox3d box;
-  for (Index i = first; i < end; ++i)
-    box.extend(Vector3d(columns_.skin.col(order[static_cast<std::size_t>(i)])));
+  for (Index i = first; i < end; ++i) box.extend(Vector3d(columns_.skin.col(order[i])));
   // Store few columns as a leaf with a bounding ball.
   if (end - first <= kLeafColumns) {
     double radius = 0;
     for (Index i = first; i < end; ++i)
-      radius = std::max(
-          radius, (columns_.skin.col(order[static_cast<std::size_t>(i)]) - box.center()).norm());
+      radius = std::max(radius, (columns_.skin.col(order[i]) - box.center()).norm());
     leaves_.push_back({box.center(), radius, first, end});
     return;
   }
@@ -159,13 +155,12 @@ void FoundationBed::sum_contact(const Touches& found, const VectorXd& forces, do
   Matrix3Xd points(3, forces.size());
   for (std::size_t k = 0; k < found.columns.size(); ++k) {
     const Touch& touch = found.columns[k];
-    const auto place = static_cast<Index>(k);
-    points.col(place) = columns_.skin.col(touch.column);
-    if (forces[place] <= 0) continue;
+    points.col(k) = columns_.skin.col(touch.column);
+    if (forces[k] <= 0) continue;
     contact.behind =
         contact.behind || touch.normal.dot(columns_.normal.col(touch.column)) > kFarSideCosine;
-    const Vector3d push = forces[place] * touch.normal;
-    contact.push += wrench_of_force(points.col(place), push);
+    const Vector3d push = forces[k] * touch.normal;
+    contact.push += wrench_of_force(points.col(k), push);
     contact.normal += push;
     contact.strain = std::max(contact.strain, touch.delta / columns_.thickness[touch.column]);
   }
@@ -189,8 +184,7 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
     const Index i = found.columns[k].column;
     const double h = columns_.thickness[i];
     const SpringPressure spring = spring_pressure(constants_, found.columns[k].delta / h);
-    forces[static_cast<Index>(k)] =
-        columns_.area[i] * spring.pressure * (1 + found.surround_share * h);
+    forces[k] = columns_.area[i] * spring.pressure * (1 + found.surround_share * h);
     contact.energy += columns_.area[i] * h * spring.energy;
   }
   sum_contact(found, forces, friction, contact);
@@ -246,7 +240,7 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
   const StepInputs inputs{X_PO, X_PO.inverse(), friction, memory_step(terms_, seconds)};
   const Touches found = touches(object, X_PO);
   BedContact contact;
-  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.columns.size()));
+  VectorXd forces = VectorXd::Zero(found.columns.size());
   double stuck = 0;
   Wrench friction_wrench;
   // Step all touched columns, which are in the order of all columns, and those with a history.
@@ -255,7 +249,7 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
     const std::size_t k = next;
     const bool near = k < found.columns.size() && found.columns[k].column == i;
     if (near) ++next;
-    if (!near && !state.remembers[static_cast<std::size_t>(i)]) continue;
+    if (!near && !state.remembers[i]) continue;
     // Compute the elastic force of the spring, 0 where nothing touches it.
     const double h = columns_.thickness[i], area = columns_.area[i];
     SpringPressure spring;
@@ -265,8 +259,8 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
         move_column(i, area * spring.pressure * (1 + found.surround_share * h),
                     near ? found.columns[k].normal : Vector3d(0, 0, 0), inputs, state);
     // Sum the sticking force and the wrench of friction over columns in contact.
-    if (!state.touching[static_cast<std::size_t>(i)]) continue;
-    forces[static_cast<Index>(k)] = state.normal_force[i];
+    if (!state.touching[i]) continue;
+    forces[k] = state.normal_force[i];
     if (sticks) stuck += state.normal_force[i];
     friction_wrench += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
   }
@@ -284,15 +278,14 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
   double history = 0;
   Vector3d past = Vector3d::Zero();
   for (std::size_t j = 0; j < terms_.size(); ++j) {
-    const auto row = static_cast<Index>(j);
-    history += weights.decay[j] * state.terms(row, i) - weights.change[j] * state.elastic[i];
-    past += weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) -
+    history += weights.decay[j] * state.terms(j, i) - weights.change[j] * state.elastic[i];
+    past += weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) -
             weights.change[j] * state.shear.col(i);
   }
   const double f = weights.now * elastic + history;
   Vector3d shear, t = Vector3d::Zero();
   bool sticks = false;
-  const bool touches = elastic > 0 && f > 0, touched = state.touching[static_cast<std::size_t>(i)];
+  const bool touches = elastic > 0 && f > 0, touched = state.touching[i];
   if (touches) {
     if (!touched) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
     // Compute the trial force of a column that sticks to its anchor on the object.
@@ -320,21 +313,20 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
   // Advance the history terms, and drop the history once all of them are negligible.
   bool remembers = touches;
   for (std::size_t j = 0; j < terms_.size(); ++j) {
-    const auto row = static_cast<Index>(j);
-    state.terms(row, i) =
-        weights.decay[j] * state.terms(row, i) + weights.change[j] * (elastic - state.elastic[i]);
-    state.shear_terms.block<3, 1>(3 * row, i) =
-        weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) +
+    state.terms(j, i) =
+        weights.decay[j] * state.terms(j, i) + weights.change[j] * (elastic - state.elastic[i]);
+    state.shear_terms.block<3, 1>(3 * j, i) =
+        weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) +
         weights.change[j] * (shear - state.shear.col(i));
-    remembers = remembers || std::abs(state.terms(row, i)) > kMinHistoryForce ||
-                state.shear_terms.block<3, 1>(3 * row, i).norm() > kMinHistoryForce;
+    remembers = remembers || std::abs(state.terms(j, i)) > kMinHistoryForce ||
+                state.shear_terms.block<3, 1>(3 * j, i).norm() > kMinHistoryForce;
   }
-  state.remembers[static_cast<std::size_t>(i)] = remembers;
+  state.remembers[i] = remembers;
   state.elastic[i] = elastic;
   state.shear.col(i) = shear;
   state.normal_force[i] = touches ? f : 0;
   state.shear_force.col(i) = t;
-  state.touching[static_cast<std::size_t>(i)] = touches;
+  state.touching[i] = touches;
   return sticks;
 }
 

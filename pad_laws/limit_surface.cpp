@@ -13,15 +13,8 @@ namespace {
 constexpr int kPatchRings = 128, kPatchRays = 256;
 
 double pressure_at(PatchPressure pressure, double cosine) {
-  switch (pressure) {
-    case PatchPressure::kUniform:
-      return 1;
-    case PatchPressure::kHertz:
-      return cosine;
-    case PatchPressure::kParaboloid:
-      break;
-  }
-  return cosine * cosine;
+  if (pressure == PatchPressure::kUniform) return 1;
+  return pressure == PatchPressure::kHertz ? cosine : cosine * cosine;
 }
 
 /// Returns a load over its limit [1]; infinite for a load with a limit of 0.

@@ -36,8 +36,7 @@ void check_powers(double force, double depth_exponent, double patch, double patc
 }  // namespace
 
 LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
-  (void)internal::radius_of(gap);
-  internal::check_contact_load(depth, 0, friction);
+  (void)internal::checked_gap(gap, depth, 0, friction);
   // A rigid point has no force up to depth 0, infinite stiffness there, and infinite force beyond.
   LawContact contact = no_contact(depth);
   if (depth >= 0) contact.stiffness = contact.shear = kInfinity;
@@ -46,8 +45,7 @@ LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, doub
 }
 
 LawContact HardPoint::at_force(const RelativeCurvatures& gap, double force, double friction) const {
-  (void)internal::radius_of(gap);
-  internal::check_contact_load(0, force, friction);
+  (void)internal::checked_gap(gap, 0, force, friction);
   LawContact contact;
   contact.force = force;
   contact.stiffness = contact.shear = kInfinity;
@@ -76,15 +74,13 @@ LawContact PowerLaw::answer(double depth, double force, double friction) const {
 }
 
 LawContact PowerLaw::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
-  (void)internal::radius_of(gap);
-  internal::check_contact_load(depth, 0, friction);
+  (void)internal::checked_gap(gap, depth, 0, friction);
   if (depth <= 0) return no_contact(depth);
   return answer(depth, c_.force * std::pow(depth / kLawDepth, c_.depth_exponent), friction);
 }
 
 LawContact PowerLaw::at_force(const RelativeCurvatures& gap, double force, double friction) const {
-  (void)internal::radius_of(gap);
-  internal::check_contact_load(0, force, friction);
+  (void)internal::checked_gap(gap, 0, force, friction);
   if (force == 0) return {};
   return answer(kLawDepth * std::pow(force / c_.force, 1 / c_.depth_exponent), force, friction);
 }
@@ -118,8 +114,7 @@ LawContact SoftFinger::answer(const internal::GapRadius& gap, double depth, doub
 
 LawContact SoftFinger::at_depth(const RelativeCurvatures& gap, double depth,
                                 double friction) const {
-  const internal::GapRadius shape = internal::radius_of(gap);
-  internal::check_contact_load(depth, 0, friction);
+  const internal::GapRadius shape = internal::checked_gap(gap, depth, 0, friction);
   if (depth <= 0) return no_contact(depth);
   const double force = c_.force * std::pow(depth / kLawDepth, c_.depth_exponent) *
                        std::pow(shape.radius / kLawRadius, c_.radius_exponent);
@@ -128,8 +123,7 @@ LawContact SoftFinger::at_depth(const RelativeCurvatures& gap, double depth,
 
 LawContact SoftFinger::at_force(const RelativeCurvatures& gap, double force,
                                 double friction) const {
-  const internal::GapRadius shape = internal::radius_of(gap);
-  internal::check_contact_load(0, force, friction);
+  const internal::GapRadius shape = internal::checked_gap(gap, 0, force, friction);
   if (force == 0) return {};
   // Compute the force at 1 mm for this radius, then invert the power of depth.
   const double at_1mm = c_.force * std::pow(shape.radius / kLawRadius, c_.radius_exponent);

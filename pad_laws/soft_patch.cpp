@@ -12,15 +12,8 @@ namespace {
 
 /// Returns the factor c of patch_torsion(),  int p(s) s^2 ds / int p(s) s ds  [1].
 double share_of(PatchPressure pressure) {
-  switch (pressure) {
-    case PatchPressure::kUniform:
-      return 2.0 / 3;
-    case PatchPressure::kHertz:
-      return 3 * kPi / 16;
-    case PatchPressure::kParaboloid:
-      break;
-  }
-  return 8.0 / 15;
+  if (pressure == PatchPressure::kUniform) return 2.0 / 3;
+  return pressure == PatchPressure::kHertz ? 3 * kPi / 16 : 8.0 / 15;
 }
 
 void require_load(double force, double friction) {

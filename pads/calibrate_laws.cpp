@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "geometry/primitives.h"
 #include "pads/pad_shape.h"
 #include "pads/skin_gap.h"
 #include "solvers/least_squares.h"
@@ -23,21 +22,6 @@ using Eigen::VectorXd;
 // sd of the logarithms of force, radius and torsion in the fits of power laws [1]
 constexpr double kLogSd = 0.05;
 
-/// Minimizes  |(A z - y) / sd|^2  within bounds.
-Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
-                   const VectorXd& upper) {
-  LeastSquares problem;
-  problem.lower = lower;
-  problem.upper = upper;
-  problem.residuals = [&](const VectorXd& z, WithJacobian want) {
-    Residuals out;
-    out.r = (A * z - y) / kLogSd;
-    if (want == WithJacobian::kYes) out.J = A / kLogSd;
-    return out;
-  };
-  return solve(problem, VectorXd::Zero(A.cols()));
-}
-
 /// Presses of one calibration, and messages of fits that did not converge.
 struct Fits {
   const std::vector<MeasuredPress>& presses;
@@ -47,10 +31,27 @@ struct Fits {
     if (solution.converged()) return;
     stalled += (stalled.empty() ? "" : "; ") + what + ": " + solution.message;
   }
+  /// Minimizes  |(A z - y) / sd|^2  within bounds. @param what  name of the fit for messages
+  Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
+                     const VectorXd& upper, const std::string& what) {
+    LeastSquares problem;
+    problem.lower = lower;
+    problem.upper = upper;
+    problem.residuals = [&](const VectorXd& z, WithJacobian want) {
+      Residuals out;
+      out.r = (A * z - y) / kLogSd;
+      if (want == WithJacobian::kYes) out.J = A / kLogSd;
+      return out;
+    };
+    Solution found = solve(problem, VectorXd::Zero(A.cols()));
+    note(found, what);
+    return found;
+  }
+
   /// Returns one value for each press.
   [[nodiscard]] VectorXd all(const std::function<double(const MeasuredPress&)>& of) const {
     VectorXd out(static_cast<Index>(presses.size()));
-    for (std::size_t i = 0; i < presses.size(); ++i) out[static_cast<Index>(i)] = of(presses[i]);
+    for (std::size_t i = 0; i < presses.size(); ++i) out[i] = of(presses[i]);
     return out;
   }
 };
@@ -84,16 +85,16 @@ PowerLawConstants fit_power(Fits& fits) {
   MatrixXd A = MatrixXd::Ones(rows, 2);
   A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
   const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
-  Solution found = fit_lines(A, forces, Eigen::Vector2d(-30, 0.1), Eigen::Vector2d(30, 10));
-  fits.note(found, "force of the power law");
+  Solution found = fits.fit_lines(A, forces, Eigen::Vector2d(-30, 0.1), Eigen::Vector2d(30, 10),
+                                  "force of the power law");
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
   // Fit log radius as a linear function of log force; gamma has the published bounds.
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
-  found = fit_lines(A, radii, Eigen::Vector2d(-30, 0), Eigen::Vector2d(30, 1.0 / 3));
-  fits.note(found, "patch of the power law");
+  found = fits.fit_lines(A, radii, Eigen::Vector2d(-30, 0), Eigen::Vector2d(30, 1.0 / 3),
+                         "patch of the power law");
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
   // Compute torsion and shear with the fitted patch, as means over the presses.
@@ -113,8 +114,8 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
     return std::log(internal::radius_of(p.gap).radius / kLawRadius);
   });
   const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
-  Solution found = fit_lines(A, forces, Vector3d(-30, 0.1, -10), Vector3d(30, 10, 10));
-  fits.note(found, "force of the soft finger");
+  Solution found = fits.fit_lines(A, forces, Vector3d(-30, 0.1, -10), Vector3d(30, 10, 10),
+                                  "force of the soft finger");
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
   out.radius_exponent = found.z[2];
@@ -122,8 +123,8 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
-  found = fit_lines(A, radii, Vector3d(-30, 0, -10), Vector3d(30, 10, 10));
-  fits.note(found, "patch of the soft finger");
+  found = fits.fit_lines(A, radii, Vector3d(-30, 0, -10), Vector3d(30, 10, 10),
+                         "patch of the soft finger");
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
   out.patch_radius = found.z[2];
@@ -131,8 +132,8 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   const MatrixXd ratios =
       fits.all([](const MeasuredPress& p) { return std::log(internal::radius_of(p.gap).ratio); });
   const VectorXd aspects = fits.all([](const MeasuredPress& p) { return std::log(p.aspect); });
-  found = fit_lines(ratios, aspects, VectorXd::Constant(1, -10), VectorXd::Constant(1, 10));
-  fits.note(found, "semi-axes of the soft finger");
+  found = fits.fit_lines(ratios, aspects, VectorXd::Constant(1, -10), VectorXd::Constant(1, 10),
+                         "semi-axes of the soft finger");
   out.aspect = found.z[0];
   out.torsion = torsion_share(fits, SoftFinger(out));
   out.shear = 1;
@@ -162,7 +163,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     const FoundationBed bed(columns, foundation_at(z, base));
     VectorXd r(2 * rows);
     for (Index i = 0; i < rows; ++i) {
-      const MeasuredPress& press = fits.presses[static_cast<std::size_t>(i)];
+      const MeasuredPress& press = fits.presses[i];
       const BedContact contact = bed.press(*press.object, press.X_PO);
       r[2 * i] = std::log(contact.force / press.force) / options.force_sd;
       r[2 * i + 1] = std::log(contact.area / press.area) / options.area_sd;

@@ -9,13 +9,12 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// Returns the nodes of a cell and of its children, each once.
 std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
   std::vector<int> out(cell.corners.begin(), cell.corners.end());
   for (int child = 0; cell.first_child >= 0 && child < 8; ++child) {
-    const HexCell& part = mesh.cells()[static_cast<std::size_t>(cell.first_child + child)];
+    const HexCell& part = mesh.cells()[cell.first_child + child];
     out.insert(out.end(), part.corners.begin(), part.corners.end());
   }
   std::sort(out.begin(), out.end());
@@ -51,8 +50,8 @@ std::vector<PressTransfer::Origin> PressTransfer::element_origins(const HexMesh&
     int cell = index, octant = -1;
     auto from = std::lower_bound(active_.begin(), active_.end(), cell);
     while (from == active_.end() || *from != cell) {
-      const HexCell& part = mesh.cells()[static_cast<std::size_t>(cell)];
-      octant = cell - mesh.cells()[static_cast<std::size_t>(part.parent)].first_child;
+      const HexCell& part = mesh.cells()[cell];
+      octant = cell - mesh.cells()[part.parent].first_child;
       cell = part.parent;
       from = std::lower_bound(active_.begin(), active_.end(), cell);
     }
@@ -67,11 +66,11 @@ std::vector<Matrix3d> PressTransfer::node_gradients(const HexMesh& mesh, const M
   std::vector<int> cells(nodes, 0);
   // Average the gradients of the old cells around each node.
   for (const int index : active_) {
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+    const HexCell& cell = mesh.cells()[index];
     const Matrix3d gradient = mean_deformation(cell, rest_positions_, u) - Matrix3d::Identity();
     for (const int node : nodes_within(mesh, cell)) {
-      sum[static_cast<std::size_t>(node)] += gradient;
-      ++cells[static_cast<std::size_t>(node)];
+      sum[node] += gradient;
+      ++cells[node];
     }
   }
   for (std::size_t k = 0; k < nodes; ++k) sum[k] /= std::max(1, cells[k]);
@@ -96,8 +95,7 @@ Matrix3Xd PressTransfer::transferred_displacements(const HexMesh& mesh,
   }
   // Add the offsets from these means, mapped by the deformation.
   for (Index node = 0; node < u.cols(); ++node)
-    u.col(node) += gradients[static_cast<std::size_t>(node)] *
-                   (mesh.place(static_cast<int>(node)) - from.col(node));
+    u.col(node) += gradients[node] * (mesh.place(static_cast<int>(node)) - from.col(node));
   return u;
 }
 
@@ -108,17 +106,16 @@ PressTransfer::SkinFields PressTransfer::transferred_fields(const HexMesh& mesh,
                  std::vector<std::optional<Vector3d>>(nodes)};
   // Copy pressure, friction and anchors of the old surface's nodes.
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
-    const auto column = static_cast<Index>(k);
     const auto node = static_cast<std::size_t>(mesh_node(*body_, surface_, k));
-    out.pressure[node] = old.normal_force[column] / surface_.area[column];
-    out.traction[node] = old.friction_force.col(column) / surface_.area[column];
-    out.anchor[node] = old.anchor.col(column);
+    out.pressure[node] = old.normal_force[k] / surface_.area[k];
+    out.traction[node] = old.friction_force.col(k) / surface_.area[k];
+    out.anchor[node] = old.anchor.col(k);
   }
   // Give new nodes the means of the nodes that they were created from.
   for (auto node = static_cast<std::size_t>(rest_positions_.cols()); node < nodes; ++node)
     for (const NodeWeight& each : mesh.made_from(static_cast<int>(node))) {
-      out.pressure[node] += each.weight * out.pressure[static_cast<std::size_t>(each.node)];
-      out.traction[node] += each.weight * out.traction[static_cast<std::size_t>(each.node)];
+      out.pressure[node] += each.weight * out.pressure[each.node];
+      out.traction[node] += each.weight * out.traction[each.node];
     }
   return out;
 }
@@ -136,7 +133,7 @@ PressState PressTransfer::transfer_state(const PressState& old, const HexMesh& m
   const Matrix3Xd u = transferred_displacements(mesh, old);
   out.x.resize(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
-    out.x.segment<3>(static_cast<Index>(3 * i)) = u.col(body.free_nodes()[i]);
+    out.x.segment<3>(3 * i) = u.col(body.free_nodes()[i]);
   // Compute the forces on nodes from the transferred tractions and the new areas.
   const auto count = static_cast<Index>(surface.nodes.size());
   out.normal_force.resize(count);
@@ -145,11 +142,10 @@ PressState PressTransfer::transfer_state(const PressState& old, const HexMesh& m
   const SkinFields fields = transferred_fields(mesh, old);
   const Pose<double> X_OP = old.X_PO.inverse();
   for (Index k = 0; k < count; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const auto node = static_cast<std::size_t>(mesh_node(body, surface, at));
+    const auto node = static_cast<std::size_t>(mesh_node(body, surface, k));
     out.normal_force[k] = surface.area[k] * fields.pressure[node];
     out.friction_force.col(k) = surface.area[k] * fields.traction[node];
-    const Vector3d here = surface.rest_positions.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
+    const Vector3d here = surface.rest_positions.col(k) + out.x.segment<3>(3 * surface.nodes[k]);
     out.anchor.col(k) = fields.anchor[node].value_or(X_OP * here);
   }
   // Take pressure and history from the old elements, because the transferred displacements alone do

@@ -26,8 +26,7 @@ VectorXd node_pressures(const HexMesh& mesh, const TissueBody& body, const Conta
                         const PressState& state) {
   VectorXd pressure = VectorXd::Zero(mesh.nodes());
   for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    pressure[mesh_node(body, surface, k)] = state.normal_force[column] / surface.area[column];
+    pressure[mesh_node(body, surface, k)] = state.normal_force[k] / surface.area[k];
   }
   for (int node = 0; node < mesh.nodes(); ++node)
     for (const NodeWeight& each : mesh.masters(node))
@@ -108,8 +107,8 @@ std::vector<EdgeCrossing> find_crossings(const HexMesh& mesh, const std::vector<
     const auto touching =
         std::count_if(corners.begin(), corners.end(), [&](int node) { return pressure[node] > 0; });
     if (touching == 0 || touching == 4) continue;
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
-    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
+    const HexCell& cell = mesh.cells()[face.cell];
+    const Tissue& tissue = tissues[cell.region];
     const double modulus =
         2 / (1 - tissue.poisson_ratio) *
         stretched_shear_modulus(tissue, mean_deformation(cell, nodes.at_rest, nodes.u));
@@ -145,12 +144,12 @@ std::vector<double> depths_inside(const std::vector<EdgeCrossing>& crossings,
     // Average the distances over crossings. Between open nodes on opposite sides lies a strip.
     const bool is_strip = direction.col(each.in).norm() < kStripMean * count[each.in];
     const double edge = is_strip ? strip_half_width(each.ratio) : edge_distance(each.ratio);
-    inside[static_cast<std::size_t>(each.in)] += edge / count[each.in];
-    inside[static_cast<std::size_t>(each.out)] += (edge - 1) / count[each.out];
+    inside[each.in] += edge / count[each.in];
+    inside[each.out] += (edge - 1) / count[each.out];
   }
   // Nodes without a crossing are all inside or all outside.
   for (Eigen::Index node = 0; node < pressure.size(); ++node)
-    if (count[node] == 0) inside[static_cast<std::size_t>(node)] = pressure[node] > 0 ? 1 : -1;
+    if (count[node] == 0) inside[node] = pressure[node] > 0 ? 1 : -1;
   return inside;
 }
 
@@ -169,14 +168,14 @@ double sampled_area(const HexMesh& mesh, const TissueBody& body, const std::vect
     Eigen::Vector4d pressures = Eigen::Vector4d::Zero();
     for (std::size_t k = 0; k < 4; ++k)
       for (const NodeWeight& each : face.corners[k])
-        pressures[static_cast<Eigen::Index>(k)] += each.weight * pressure[each.node];
+        pressures[k] += each.weight * pressure[each.node];
     if (!(pressures.array() > 0).any()) continue;
     // Compute the ratio of pressure to gap at an edge: skin with a smaller gap touches.
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
-    const double scale = kEdgeScale *
-                         stretched_shear_modulus(tissues[static_cast<std::size_t>(cell.region)],
-                                                 mean_deformation(cell, at_rest, u)) /
-                         std::sqrt(face.area);
+    const HexCell& cell = mesh.cells()[face.cell];
+    const double scale =
+        kEdgeScale *
+        stretched_shear_modulus(tissues[cell.region], mean_deformation(cell, at_rest, u)) /
+        std::sqrt(face.area);
     const FaceCorners corners = corner_positions(face, places);
     const Vector3d between =
         Vector3d(corners.col(3) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(1)));
@@ -231,9 +230,8 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
     std::array<Vector3d, 4> at;
     std::array<double, 4> value{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto node = static_cast<std::size_t>(corners[i]);
       at[i] = at_rest.col(corners[i]) + u.col(corners[i]);
-      value[i] = inside[node];
+      value[i] = inside[corners[i]];
     }
     const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
     const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;

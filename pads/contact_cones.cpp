@@ -33,15 +33,14 @@ Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
 VectorXd body_forces(const ContactSurface& surface, const VectorXd& forces, Index unknowns) {
   VectorXd out = VectorXd::Zero(unknowns);
   for (std::size_t k = 0; k < surface.nodes.size(); ++k)
-    out.segment<3>(3 * surface.nodes[k]) = forces.segment<3>(static_cast<Index>(3 * k));
+    out.segment<3>(3 * surface.nodes[k]) = forces.segment<3>(3 * k);
   return out;
 }
 
 /// Returns the motion of the surface nodes [m] (3, nodes).
 Matrix3Xd surface_motion(const ContactSurface& surface, const VectorXd& x) {
   Matrix3Xd moved(3, static_cast<Index>(surface.nodes.size()));
-  for (Index k = 0; k < moved.cols(); ++k)
-    moved.col(k) = x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
+  for (Index k = 0; k < moved.cols(); ++k) moved.col(k) = x.segment<3>(3 * surface.nodes[k]);
   return moved;
 }
 
@@ -54,10 +53,10 @@ MatrixXd compliance(CondensedBody& body, const ContactSurface& surface, const Ro
   const auto nodes = static_cast<Index>(surface.nodes.size());
   // Condense the body to the nodes that the forces F load.
   std::vector<char> is_loaded(surface.nodes.size(), 0);
-  for (const MeanGaps::Gradient& each : F) is_loaded[static_cast<std::size_t>(each.node)] = 1;
+  for (const MeanGaps::Gradient& each : F) is_loaded[each.node] = 1;
   std::vector<int> loaded;
   for (int k = 0; k < nodes; ++k)
-    if (is_loaded[static_cast<std::size_t>(k)] != 0) loaded.push_back(k);
+    if (is_loaded[k] != 0) loaded.push_back(k);
   body.condense(surface, loaded);
   // Compute the displacements under each row of F, and project them on the rows of J.
   MatrixXd response = MatrixXd::Zero(3 * nodes, rows);
@@ -97,7 +96,7 @@ void CondensedBody::condense(const ContactSurface& surface, const std::vector<in
   // List the nodes whose responses are not known.
   std::vector<int> missing;
   for (const int node : nodes)
-    if (column_[static_cast<std::size_t>(node)] < 0) missing.push_back(node);
+    if (column_[node] < 0) missing.push_back(node);
   if (missing.empty()) return;
   // Solve for unit forces on all of them at once.
   const Index before = unit_responses_.cols(), count = 3 * static_cast<Index>(missing.size());
@@ -168,12 +167,11 @@ ContactCones::Equilibrium ContactCones::solve(const ContactSurface& surface,
   const Matrix3Xd free = surface_motion(surface, body_.solve(-iterate.tissue_force));
   const VectorXd free_gaps = gaps_after(free);
   std::vector<bool> touches(static_cast<std::size_t>(nodes));
-  for (Index k = 0; k < nodes; ++k)
-    touches[static_cast<std::size_t>(k)] = iterate.normal_force[k] > 0 || free_gaps[k] < 0;
+  for (Index k = 0; k < nodes; ++k) touches[k] = iterate.normal_force[k] > 0 || free_gaps[k] < 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<int> touching;
     for (int k = 0; k < nodes; ++k)
-      if (touches[static_cast<std::size_t>(k)]) touching.push_back(k);
+      if (touches[k]) touching.push_back(k);
     build_problem(surface, iterate, free, free_gaps, touching);
     out.status = solve_problem(surface, iterate, out);
     if (out.status != Status::kSolved) return out;
@@ -183,8 +181,8 @@ ContactCones::Equilibrium ContactCones::solve(const ContactSurface& surface,
     const VectorXd gaps = gaps_after(moved);
     bool has_joined = false;
     for (Index k = 0; k < nodes; ++k) {
-      if (touches[static_cast<std::size_t>(k)] || gaps[k] >= -kJoinDepth) continue;
-      touches[static_cast<std::size_t>(k)] = has_joined = true;
+      if (touches[k] || gaps[k] >= -kJoinDepth) continue;
+      touches[k] = has_joined = true;
     }
     if (has_joined) continue;
     // Collect the forces on the nodes from the rows of the solution.
@@ -266,7 +264,7 @@ Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const Contact
   for (std::size_t i = 0; i < touching.nodes.size(); ++i) {
     const int k = touching.nodes[i];
     if (!touching.sticks[i]) {
-      F.push_back({static_cast<int>(i), k, touching.friction_ratio.col(static_cast<Index>(i))});
+      F.push_back({static_cast<int>(i), k, touching.friction_ratio.col(i)});
       continue;
     }
     const auto tangents = tangents_of(gaps.normal(static_cast<std::size_t>(k)));

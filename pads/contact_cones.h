@@ -38,7 +38,7 @@ class CondensedBody {
   /// Returns the displacements of all surface nodes under unit forces on one condensed node [m/N]
   /// (3 nodes, 3).
   [[nodiscard]] auto unit_response(int node) const {
-    return unit_responses_.middleCols<3>(3 * column_[static_cast<std::size_t>(node)]);
+    return unit_responses_.middleCols<3>(3 * column_[node]);
   }
 
  private:

@@ -43,7 +43,7 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
       Vector3d chart(0, 0, 0), mean(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
-        const double share = shape[static_cast<Eigen::Index>(k)];
+        const double share = shape[k];
         chart += share * mesh.chart_point(nodes[k]);
         mean += share * at_rest.col(nodes[k]);
         for (const NodeWeight& each : mesh.support(nodes[k]))
@@ -104,14 +104,13 @@ ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body
     if (points.empty()) continue;
     SurfaceFace whole{{}, FaceCorners::Zero(), 0, face.cell};
     for (SurfacePoint& point : points) {
-      for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
+      for (NodeWeight& each : point.nodes) each.node = index[each.node];
       whole.area += point.area;
       surface.points.push_back(std::move(point));
     }
     for (std::size_t k = 0; k < 4; ++k)
       for (const NodeWeight& each : mesh.support(face.nodes[k]))
-        whole.corners[k].push_back(
-            {index[static_cast<std::size_t>(body.free_index(each.node))], each.weight});
+        whole.corners[k].push_back({index[body.free_index(each.node)], each.weight});
     surface.faces.push_back(std::move(whole));
   }
   // Move the corners of faces by the mean offset of the true surface around their nodes.
@@ -125,13 +124,13 @@ ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body
 }
 
 int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t k) {
-  return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
+  return body.free_nodes()[surface.nodes[k]];
 }
 
 Matrix3Xd deformed_positions(const ContactSurface& surface, const VectorXd& x) {
   Matrix3Xd places = surface.rest_positions;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
-    places.col(k) += x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
+    places.col(k) += x.segment<3>(3 * surface.nodes[k]);
   return places;
 }
 
@@ -144,7 +143,7 @@ Vector3d point_position(const SurfacePoint& point, const Matrix3Xd& places) {
 FaceCorners corner_positions(const SurfaceFace& face, const Matrix3Xd& places) {
   FaceCorners out = face.offsets;
   for (Eigen::Index k = 0; k < 4; ++k)
-    for (const NodeWeight& each : face.corners[static_cast<std::size_t>(k)])
+    for (const NodeWeight& each : face.corners[k])
       out.col(k) += each.weight * places.col(each.node);
   return out;
 }
@@ -178,9 +177,7 @@ bool has_edge_nearby(const ContactSurface& surface, const Shape& object, const P
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     at_nodes.push_back(nearest(Vector3d(places.col(k))));
   return any_of(surface.points, [&](const SurfacePoint& point) {
-    const auto at = [&](const NodeWeight& each) -> const Nearest& {
-      return at_nodes[static_cast<std::size_t>(each.node)];
-    };
+    const auto at = [&](const NodeWeight& each) -> const Nearest& { return at_nodes[each.node]; };
     // Skip points whose nodes are all far from the object.
     const bool far = all_of(point.nodes, [&](const NodeWeight& each) {
       return at(each).distance > kFarGapRatio * point.size;
@@ -212,7 +209,7 @@ void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const Vecto
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
     const int node = static_cast<int>(k);
-    gradients_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
+    gradients_[k] = {{node, node, normal_.col(k)}};
   }
   mean_normal_ = normal_;
   mean_offset_.setZero();
@@ -246,7 +243,7 @@ void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const Vecto
 
 void MeanGaps::add_gradient(int row, int node, const Vector3d& value) {
   depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > kNegligibleGradient;
-  std::vector<Gradient>& list = gradients_[static_cast<std::size_t>(row)];
+  std::vector<Gradient>& list = gradients_[row];
   const auto known = std::find_if(list.begin(), list.end(),
                                   [&](const Gradient& each) { return each.node == node; });
   if (known == list.end())
@@ -265,7 +262,7 @@ VectorXd MeanGaps::gap_changes(const Matrix3Xd& moved) const {
 std::vector<MeanGaps::Gradient> MeanGaps::gap_gradients(const std::vector<int>& nodes) const {
   std::vector<Gradient> out;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const Gradient& each : gradients_[static_cast<std::size_t>(nodes[i])])
+    for (const Gradient& each : gradients_[nodes[i]])
       if (depends_on_neighbours_ || each.node == each.row)
         out.push_back({static_cast<int>(i), each.node, each.value});
   return out;

@@ -98,15 +98,11 @@ class MeanGaps {
   void update(const Shape& object, const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
   /// Returns the gap of node k [m].
-  [[nodiscard]] double gap(std::size_t k) const { return gap_[static_cast<Eigen::Index>(k)]; }
+  [[nodiscard]] double gap(std::size_t k) const { return gap_[k]; }
   /// Returns the gap of node k less the distance of the node itself to the object [m].
-  [[nodiscard]] double mean_offset(std::size_t k) const {
-    return mean_offset_[static_cast<Eigen::Index>(k)];
-  }
+  [[nodiscard]] double mean_offset(std::size_t k) const { return mean_offset_[k]; }
   /// Returns the object's normal averaged around node k, unit, in the body's frame (3).
-  [[nodiscard]] Eigen::Vector3d normal(std::size_t k) const {
-    return mean_normal_.col(static_cast<Eigen::Index>(k));
-  }
+  [[nodiscard]] Eigen::Vector3d normal(std::size_t k) const { return mean_normal_.col(k); }
   /// Returns the gradient of a node's gap by its own position (3).
   [[nodiscard]] const Eigen::Vector3d& own_gradient(std::size_t k) const {
     return gradients_[k][0].value;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -53,14 +54,11 @@ Eigen::Matrix3Xd rest_positions(const HexMesh& mesh) {
 std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
   std::vector<HexFace> out;
   for (const int index : mesh.active()) {
-    const auto& corners = mesh.cells()[static_cast<std::size_t>(index)].corners;
+    const auto& corners = mesh.cells()[index].corners;
     for (const std::array<int, 4>& face : hex_faces()) {
       HexFace found{index, {}};
-      for (std::size_t i = 0; i < 4; ++i)
-        found.nodes[i] = corners[static_cast<std::size_t>(face[i])];
-      if (std::all_of(found.nodes.begin(), found.nodes.end(),
-                      [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
-        out.push_back(found);
+      for (std::size_t i = 0; i < 4; ++i) found.nodes[i] = corners[face[i]];
+      if (all_of(found.nodes, [&](int node) { return marked[node]; })) out.push_back(found);
     }
   }
   return out;
@@ -88,8 +86,7 @@ HexMesh::HexMesh(std::shared_ptr<const HexChart> chart, const Eigen::Matrix3Xd& 
     for (int corner = 0; corner < 8; ++corner) {
       const auto along = [&](int axis) -> Vector3d {
         const auto there = static_cast<std::size_t>(corner ^ axis);
-        const Vector3d way =
-            place(cell.corners[there]) - place(cell.corners[static_cast<std::size_t>(corner)]);
+        const Vector3d way = place(cell.corners[there]) - place(cell.corners[corner]);
         return (corner & axis) != 0 ? Vector3d(-way) : way;
       };
       require(along(1).cross(along(2)).dot(along(4)) > 0, "cell {} is inverted at corner {}", c,
@@ -119,8 +116,7 @@ int HexMesh::middle_of_face(const std::array<int, 4>& corners) {
   // Average the middles of its four edges.
   Vector3d sum(0, 0, 0);
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 3), std::pair(2, 3)})
-    sum += chart_point(
-        middle_of_edge(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]));
+    sum += chart_point(middle_of_edge(corners[i], corners[j]));
   std::vector<NodeWeight> from;
   for (const int corner : corners) from.push_back({corner, 0.25});
   const int node =
@@ -133,12 +129,11 @@ int HexMesh::middle_of_face(const std::array<int, 4>& corners) {
 }
 
 void HexMesh::split(int index) {
-  const auto at = static_cast<std::size_t>(index);
-  if (cells_[at].first_child >= 0) return;
-  const HexCell cell = cells_[at];
+  if (cells_[index].first_child >= 0) return;
+  const HexCell cell = cells_[index];
   // Collect the 27 nodes: corners, middles of edges and faces.
   std::array<int, 27> lattice{};
-  const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
+  const auto node_of = [&](int corner) { return cell.corners[corner]; };
   for (int c = 0; c < 8; ++c) lattice[lattice_index(c, c)] = node_of(c);
   for (const auto& [a, b] : hex_edges())
     lattice[lattice_index(a, b)] = middle_of_edge(node_of(a), node_of(b));
@@ -154,14 +149,13 @@ void HexMesh::split(int index) {
   for (const int corner : cell.corners) from.push_back({corner, 0.125});
   lattice[lattice_index(0, 7)] = add_node(sum / 6, std::move(from));
   // Add eight children.
-  cells_[at].first_child = static_cast<int>(cells_.size());
+  cells_[index].first_child = static_cast<int>(cells_.size());
   for (int child = 0; child < 8; ++child) {
     HexCell part;
     part.region = cell.region;
     part.level = cell.level + 1;
     part.parent = index;
-    for (int c = 0; c < 8; ++c)
-      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_index(child, c)];
+    for (int c = 0; c < 8; ++c) part.corners[c] = lattice[lattice_index(child, c)];
     cells_.push_back(part);
   }
 }
@@ -172,7 +166,7 @@ int HexMesh::edge_node_in_use(int a, int b) const {
 }
 
 bool HexMesh::must_split(const HexCell& cell) const {
-  const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
+  const auto node_of = [&](int corner) { return cell.corners[corner]; };
   // Look for a half of an edge that is split again: the neighbour is two levels finer.
   for (const auto& [a, b] : hex_edges()) {
     const int middle = edge_node_in_use(node_of(a), node_of(b));
@@ -188,8 +182,7 @@ bool HexMesh::must_split(const HexCell& cell) const {
     if (at == faces_.end() || !in_use(at->second)) continue;
     for (const auto& [i, j] :
          {std::pair(0, 1), std::pair(0, 2), std::pair(1, 3), std::pair(2, 3)}) {
-      const int middle = edge_node_in_use(corners[static_cast<std::size_t>(i)],
-                                          corners[static_cast<std::size_t>(j)]);
+      const int middle = edge_node_in_use(corners[i], corners[j]);
       if (middle >= 0 && edge_node_in_use(middle, at->second) >= 0) return true;
     }
   }
@@ -208,7 +201,7 @@ void HexMesh::refine(const std::vector<int>& cells) {
     list_active();
     const std::vector<int> now = active_;
     for (const int cell : now)
-      if (must_split(cells_[static_cast<std::size_t>(cell)])) {
+      if (must_split(cells_[cell])) {
         split(cell);
         any = true;
       }
@@ -217,7 +210,7 @@ void HexMesh::refine(const std::vector<int>& cells) {
 
 void HexMesh::coarsen(const std::vector<int>& cells) {
   for (const int index : cells) {
-    HexCell& cell = cells_[static_cast<std::size_t>(index)];
+    HexCell& cell = cells_[index];
     const int first = cell.first_child;
     if (first < 0) continue;
     // Skip cells with a child that has children.
@@ -228,7 +221,7 @@ void HexMesh::coarsen(const std::vector<int>& cells) {
     cell.first_child = -1;
     list_active();
     if (must_split(cell)) {
-      cells_[static_cast<std::size_t>(index)].first_child = first;
+      cells_[index].first_child = first;
       list_active();
     }
   }
@@ -243,7 +236,7 @@ void HexMesh::list_active() {
   while (!open.empty()) {
     const int cell = open.back();
     open.pop_back();
-    const int child = cells_[static_cast<std::size_t>(cell)].first_child;
+    const int child = cells_[cell].first_child;
     if (child < 0)
       active_.push_back(cell);
     else
@@ -253,8 +246,7 @@ void HexMesh::list_active() {
   // Mark the nodes of active cells as used.
   in_use_.assign(chart_points_.size(), false);
   for (const int cell : active_)
-    for (const int node : cells_[static_cast<std::size_t>(cell)].corners)
-      in_use_[static_cast<std::size_t>(node)] = true;
+    for (const int node : cells_[cell].corners) in_use_[node] = true;
   find_hanging();
 }
 
@@ -262,19 +254,18 @@ void HexMesh::find_hanging() {
   masters_.assign(chart_points_.size(), {});
   // Find used middles of the edges and faces of active cells, which hang.
   for (const int index : active_) {
-    const HexCell& cell = cells_[static_cast<std::size_t>(index)];
-    const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
+    const HexCell& cell = cells_[index];
+    const auto node_of = [&](int corner) { return cell.corners[corner]; };
     for (const auto& [a, b] : hex_edges()) {
       const int middle = edge_node_in_use(node_of(a), node_of(b));
-      if (middle >= 0)
-        masters_[static_cast<std::size_t>(middle)] = {{node_of(a), 0.5}, {node_of(b), 0.5}};
+      if (middle >= 0) masters_[middle] = {{node_of(a), 0.5}, {node_of(b), 0.5}};
     }
     for (const std::array<int, 4>& face : hex_faces()) {
       const std::array<int, 4> corners{node_of(face[0]), node_of(face[1]), node_of(face[2]),
                                        node_of(face[3])};
       const auto at = faces_.find(sorted(corners));
       if (at == faces_.end() || !in_use(at->second)) continue;
-      std::vector<NodeWeight>& from = masters_[static_cast<std::size_t>(at->second)];
+      std::vector<NodeWeight>& from = masters_[at->second];
       from.clear();
       for (const int corner : corners) from.push_back({corner, 0.25});
     }
@@ -283,7 +274,7 @@ void HexMesh::find_hanging() {
   for (std::vector<NodeWeight>& from : masters_)
     for (std::size_t k = 0; k < from.size();) {
       const NodeWeight at = from[k];
-      const std::vector<NodeWeight>& theirs = masters_[static_cast<std::size_t>(at.node)];
+      const std::vector<NodeWeight>& theirs = masters_[at.node];
       if (theirs.empty()) {
         ++k;
         continue;
@@ -307,7 +298,7 @@ void HexMesh::find_hanging() {
     if (masters_[node].empty()) continue;
     places_[node].setZero();
     for (const NodeWeight& each : masters_[node])
-      places_[node] += each.weight * on_chart_[static_cast<std::size_t>(each.node)];
+      places_[node] += each.weight * on_chart_[each.node];
   }
 }
 
@@ -332,8 +323,7 @@ HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {
       for (int i = 0; i < cells[0]; ++i) {
         HexCell cell;
         for (int c = 0; c < 8; ++c)
-          cell.corners[static_cast<std::size_t>(c)] =
-              node(i + (c & 1), j + ((c >> 1) & 1), k + ((c >> 2) & 1));
+          cell.corners[c] = node(i + (c & 1), j + ((c >> 1) & 1), k + ((c >> 2) & 1));
         list.push_back(cell);
       }
   return {std::make_shared<Straight>(), at, std::move(list)};

@@ -72,25 +72,19 @@ class HexMesh {
   [[nodiscard]] int nodes() const { return static_cast<int>(chart_points_.size()); }
   [[nodiscard]] const HexChart& chart() const { return *chart_; }
   /// Returns whether the node is a corner of an active cell.
-  [[nodiscard]] bool in_use(int node) const { return in_use_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] bool in_use(int node) const { return in_use_[node]; }
   /// Returns the reference position of a node [m] (3), for a hanging node the mean of its masters.
-  [[nodiscard]] const Eigen::Vector3d& place(int node) const {
-    return places_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] const Eigen::Vector3d& place(int node) const { return places_[node]; }
   /// Returns the position of a node in the chart (3).
-  [[nodiscard]] const Eigen::Vector3d& chart_point(int node) const {
-    return chart_points_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] const Eigen::Vector3d& chart_point(int node) const { return chart_points_[node]; }
   /// Returns the nodes whose mean a hanging node is, none of which hangs; empty: it does not hang.
-  [[nodiscard]] const std::vector<NodeWeight>& masters(int node) const {
-    return masters_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] const std::vector<NodeWeight>& masters(int node) const { return masters_[node]; }
   /// Returns the masters of a hanging node, or any other node itself with weight 1.
   [[nodiscard]] std::vector<NodeWeight> support(int node) const;
   /// Returns the nodes of the edge, face or cell in whose middle a node was created, with which
   /// fields are transferred to it; empty: a node of the coarsest mesh.
   [[nodiscard]] const std::vector<NodeWeight>& made_from(int node) const {
-    return made_from_[static_cast<std::size_t>(node)];
+    return made_from_[node];
   }
 
  private:

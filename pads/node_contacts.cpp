@@ -15,17 +15,15 @@ void update_contacts(PressIterate& iterate) {
   iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     NodeContact& c = iterate.contacts[k];
-    const auto column = static_cast<Eigen::Index>(k);
     const double stiffness = iterate.node_stiffness[k];
     // Augment the normal force:  max(0, normal force - stiffness gap).
-    c.normal_force =
-        std::max(0.0, iterate.state.normal_force[column] - stiffness * iterate.gaps.gap(k));
+    c.normal_force = std::max(0.0, iterate.state.normal_force[k] - stiffness * iterate.gaps.gap(k));
     c.friction_force.setZero();
     c.slips = c.normal_force > 0;
     c.friction_scale = 0;
     if (c.normal_force <= 0 || iterate.object.friction <= 0) continue;
     // Augment the friction by a spring times the slip, and scale it back to the cone.
-    const Vector3d last = iterate.tangential(k, iterate.state.friction_force.col(column));
+    const Vector3d last = iterate.tangential(k, iterate.state.friction_force.col(k));
     const Vector3d trial = last - stiffness * iterate.node_slip(k);
     const double bound = iterate.object.friction * c.normal_force, size = trial.norm();
     c.slips = size > bound;
@@ -43,7 +41,7 @@ void update_contacts(PressIterate& iterate) {
 Matrix3Xd normal_forces(const PressIterate& iterate) {
   VectorXd forces(static_cast<Eigen::Index>(iterate.contacts.size()));
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    forces[static_cast<Eigen::Index>(k)] = iterate.contacts[k].normal_force;
+    forces[k] = iterate.contacts[k].normal_force;
   return iterate.gaps.nodal_forces(forces);
 }
 
@@ -87,13 +85,11 @@ Matrix3Xd contact_force_loss(const PressIterate& iterate, const Matrix3Xd& moved
   // Sum the normal forces lost as gaps open, then friction.
   VectorXd lost = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    lost[static_cast<Eigen::Index>(k)] *=
-        iterate.contacts[k].normal_force > 0 ? iterate.node_stiffness[k] : 0;
+    lost[k] *= iterate.contacts[k].normal_force > 0 ? iterate.node_stiffness[k] : 0;
   Matrix3Xd out = iterate.gaps.nodal_forces(lost);
   for (std::size_t k = 0; iterate.object.friction > 0 && k < iterate.contacts.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
     if (iterate.contacts[k].normal_force > 0)
-      out.col(column) += lost_friction(iterate, k, Vector3d(moved.col(column)), lost[column]);
+      out.col(k) += lost_friction(iterate, k, Vector3d(moved.col(k)), lost[k]);
   }
   return out;
 }

@@ -2,10 +2,17 @@
 
 #include <cmath>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 
 namespace thenar {
 namespace {
+
+constexpr std::array kTissueConstantWords{
+    EnumName{PadConstantKind::kShearModulus, "shear modulus"},
+    EnumName{PadConstantKind::kExponent, "exponent"},
+    EnumName{PadConstantKind::kPoissonRatio, "Poisson's ratio"},
+    EnumName{PadConstantKind::kThickness, "thickness"}};
 
 /// Returns a reference to the value of a constant.
 double& constant_entry(PadModel& pad, const PadConstant& constant) {
@@ -14,7 +21,7 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
   const auto count = static_cast<int>(pad.tissues.size());
   require(constant.tissue >= 0 && constant.tissue < count, "a pad of {} tissues has no tissue {}",
           count, constant.tissue);
-  Tissue& tissue = pad.tissues[static_cast<std::size_t>(constant.tissue)];
+  Tissue& tissue = pad.tissues[constant.tissue];
   switch (constant.kind) {
     case PadConstantKind::kShearModulus:
       return tissue.shear_modulus;
@@ -27,14 +34,14 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
       require(constant.term >= 0 && constant.term < terms,
               "'{}' has {} terms of relaxation, wanted number {}", tissue.name, terms,
               constant.term + 1);
-      return tissue.relaxation[static_cast<std::size_t>(constant.term)].share;
+      return tissue.relaxation[constant.term].share;
     }
     default: {
       // Tissues are ordered from the inside out, layers from the outside in.
       const auto layers = static_cast<int>(pad.shape.layers.size());
       require(constant.tissue > 0 && constant.tissue <= layers,
               "'{}' is no layer of skin, and has no thickness", tissue.name);
-      return pad.shape.layers[static_cast<std::size_t>(layers - constant.tissue)].thickness;
+      return pad.shape.layers[layers - constant.tissue].thickness;
     }
   }
 }
@@ -44,31 +51,17 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
 std::string name_of(const PadModel& pad, const PadConstant& constant) {
   if (constant.kind == PadConstantKind::kBoneHeight) return "bone height";
   const Tissue& tissue = pad.tissues.at(static_cast<std::size_t>(constant.tissue));
-  switch (constant.kind) {
-    case PadConstantKind::kShearModulus:
-      return tissue.name + ": shear modulus";
-    case PadConstantKind::kExponent:
-      return tissue.name + ": exponent";
-    case PadConstantKind::kPoissonRatio:
-      return tissue.name + ": Poisson's ratio";
-    case PadConstantKind::kShare:
-      return fmt::format("{}: share of {:g} s", tissue.name,
-                         tissue.relaxation.at(static_cast<std::size_t>(constant.term)).time);
-    default:
-      return tissue.name + ": thickness";
-  }
+  if (constant.kind == PadConstantKind::kShare)
+    return fmt::format("{}: share of {:g} s", tissue.name,
+                       tissue.relaxation.at(constant.term).time);
+  return tissue.name + ": " + name_in(kTissueConstantWords, constant.kind);
 }
 
 DisplayUnit display_unit(PadConstantKind kind) {
-  switch (kind) {
-    case PadConstantKind::kShearModulus:
-      return {"kPa", 1e-3};
-    case PadConstantKind::kThickness:
-    case PadConstantKind::kBoneHeight:
-      return {"mm", 1e3};
-    default:
-      return {"", 1};
-  }
+  if (kind == PadConstantKind::kShearModulus) return {"kPa", 1e-3};
+  const bool is_length =
+      kind == PadConstantKind::kThickness || kind == PadConstantKind::kBoneHeight;
+  return is_length ? DisplayUnit{"mm", 1e3} : DisplayUnit{};
 }
 
 double value_of(const PadModel& pad, const PadConstant& constant) {

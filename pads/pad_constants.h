@@ -3,7 +3,6 @@
 /// Constants of a pad by name, and the coordinates in which they are fitted.
 
 #include <string>
-#include <vector>
 
 #include "pads/pad_model.h"
 

@@ -1,13 +1,13 @@
 #include "pads/pad_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/progress_parts.h"
 
@@ -53,7 +53,7 @@ void check_datum(const PressRecord& record, const PressDatum& datum) {
   require(datum.sd > 0 && std::isfinite(datum.sd),
           "'{}': the sd of a datum must be above 0, got {}", record.name, datum.sd);
   // An imposed quantity cannot be measured.
-  const bool by_force = record.course.loads[static_cast<std::size_t>(datum.load)].force.has_value();
+  const bool by_force = record.course.loads[datum.load].force.has_value();
   require(datum.quantity != (by_force ? PressQuantity::kForce : PressQuantity::kIndentation),
           "'{}': the {} of load {} is imposed, not measured", record.name, name_of(datum.quantity),
           datum.load);
@@ -84,7 +84,7 @@ class PadResiduals {
     PadModel pad = problem_.pad;
     for (std::size_t i = 0; i < own_.size(); ++i) {
       const PadConstant& constant = problem_.constants[i].constant;
-      set_value(pad, constant, value_at(constant, z[static_cast<Eigen::Index>(i)], own_[i]));
+      set_value(pad, constant, value_at(constant, z[i], own_[i]));
     }
     return pad;
   }
@@ -152,18 +152,16 @@ class PadResiduals {
         r[row] = (here - datum.value) / datum.sd;
         for (Eigen::Index i = 0; i < n; ++i)
           out.J(row, i) =
-              (predicted(datum, curves.points[static_cast<std::size_t>(i) + 1]) - here) /
-              (datum.sd * kNeighbourDistance);
+              (predicted(datum, curves.points[i + 1]) - here) / (datum.sd * kNeighbourDistance);
         ++row;
       }
     }
     // Add the residuals of the priors, (z - z_0) / sd.
     for (Eigen::Index i = 0; i < n; ++i) {
-      const std::optional<double>& factor =
-          problem_.constants[static_cast<std::size_t>(i)].prior_factor;
+      const std::optional<double>& factor = problem_.constants[i].prior_factor;
       if (!factor) continue;
       const double sd = std::log(*factor);
-      r[row] = (z[i] - start_[static_cast<std::size_t>(i)]) / sd;
+      r[row] = (z[i] - start_[i]) / sd;
       out.J(row, i) = 1 / sd;
       ++row;
     }
@@ -228,7 +226,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
   }
   // Set each estimate: value, sd, whether the data determine it, and whether it is at a bound.
   for (Eigen::Index i = 0; i < n; ++i) {
-    const FreeConstant& free = problem.constants[static_cast<std::size_t>(i)];
+    const FreeConstant& free = problem.constants[i];
     ConstantEstimate each;
     each.value = value_of(result.pad, free.constant);
     each.sd = std::sqrt(all[i]);
@@ -279,8 +277,7 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
   // Solve the normal equations for the shift,  -(J'J)^-1 J' change.
   if (!variances(at.J).allFinite()) return;
   const VectorXd shift = -(at.J.transpose() * at.J).ldlt().solve(at.J.transpose() * change);
-  for (Eigen::Index i = 0; i < shift.size(); ++i)
-    result.estimates[static_cast<std::size_t>(i)].mesh_shift = shift[i];
+  for (Eigen::Index i = 0; i < shift.size(); ++i) result.estimates[i].mesh_shift = shift[i];
 }
 
 void warn(const PadFitProblem& problem, PadFitResult& result) {
@@ -305,8 +302,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
           fmt::format("finer cells would change {} by a factor of {:.3g}, {:.2g} sds", name(i),
                       std::exp(each.mesh_shift), std::abs(each.mesh_shift) / each.sd));
     for (std::size_t j = 0; j < i; ++j) {
-      const double together =
-          result.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      const double together = result.correlations(i, j);
       if (std::abs(together) > kJointCorrelation)
         result.warnings.push_back(fmt::format(
             "{} and {} are known only together: correlation {:.3f}", name(j), name(i), together));
@@ -354,10 +350,9 @@ double predicted(const PressDatum& datum, const std::vector<PressPoint>& points)
 
 std::vector<PressCurves> press_records(const PadModel& pad, const std::vector<PressRecord>& records,
                                        const Progress& progress) {
-  std::vector<PressCurves> out;
-  for (const PressRecord& record : records)
-    out.push_back(press_curves({pad}, record.course, {{}, progress.stop_requested}));
-  return out;
+  return transformed(records, [&](const PressRecord& record) {
+    return press_curves({pad}, record.course, {{}, progress.stop_requested});
+  });
 }
 
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options) {
@@ -370,8 +365,8 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   const VectorXd start = residuals.start();
   squares.lower = squares.upper = start;
   for (std::size_t i = 0; i < problem.constants.size(); ++i) {
-    squares.lower[static_cast<Eigen::Index>(i)] += std::log(problem.constants[i].lower_factor);
-    squares.upper[static_cast<Eigen::Index>(i)] += std::log(problem.constants[i].upper_factor);
+    squares.lower[i] += std::log(problem.constants[i].lower_factor);
+    squares.upper[i] += std::log(problem.constants[i].upper_factor);
   }
   squares.residuals = [&](const VectorXd& z, WithJacobian) {
     return anchored(residuals.at(z), start);

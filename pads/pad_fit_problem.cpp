@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "geometry/primitives.h"
 #include "pads/build_pad.h"
 
@@ -16,13 +17,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-PadConstantKind kind_of(const std::string& constant) {
-  if (constant == "shear_modulus") return PadConstantKind::kShearModulus;
-  if (constant == "exponent") return PadConstantKind::kExponent;
-  if (constant == "poisson_ratio") return PadConstantKind::kPoissonRatio;
-  if (constant == "share") return PadConstantKind::kShare;
-  if (constant == "thickness") return PadConstantKind::kThickness;
-  return PadConstantKind::kBoneHeight;
+/// Words for constants in data files.
+constexpr std::array kConstantWords{EnumName{PadConstantKind::kShearModulus, "shear_modulus"},
+                                    EnumName{PadConstantKind::kExponent, "exponent"},
+                                    EnumName{PadConstantKind::kPoissonRatio, "poisson_ratio"},
+                                    EnumName{PadConstantKind::kShare, "share"},
+                                    EnumName{PadConstantKind::kThickness, "thickness"},
+                                    EnumName{PadConstantKind::kBoneHeight, "bone_height"}};
+
+/// Returns whether any press takes time.
+bool has_timed_press(const PadData& data) {
+  return any_of(data.presses, [](const PadDataPress& press) { return press.ramp > 0; });
 }
 
 /// Returns the constant that a data file names. Files count layers from the outside, tissues from
@@ -35,7 +40,7 @@ PadConstant constant_of(const PadData& data, const PadDataConstant& named, const
     fail(fmt::format("pad '{}' has {} layers of skin, wanted layer {}", pad.name, layers,
                      named.layer));
   PadConstant out;
-  out.kind = kind_of(named.constant);
+  out.kind = value_in(kConstantWords, named.constant, "constant");
   out.tissue = named.layer == 0 ? 0 : layers - named.layer + 1;
   // Check that the tissue has such a constant.
   const PadTissueSpec& tissue =
@@ -49,10 +54,9 @@ PadConstant constant_of(const PadData& data, const PadDataConstant& named, const
     if (static_cast<std::size_t>(named.term) > terms)
       fail(
           fmt::format("this tissue has {} terms of relaxation, wanted term {}", terms, named.term));
-    if (!(tissue.relaxation_share[static_cast<std::size_t>(out.term)] > 0))
+    if (!(tissue.relaxation_share[out.term] > 0))
       fail("a share of 0 cannot be fitted: begin above it");
-    if (std::none_of(data.presses.begin(), data.presses.end(),
-                     [](const PadDataPress& press) { return press.ramp > 0; }))
+    if (!has_timed_press(data))
       fail("no press takes time, and none tells of relaxation: give one a pace");
   }
   return out;
@@ -129,9 +133,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
   for (const PadDataRows& rows : press.rows)
     for (std::size_t i = 0; i < rows.loads.size(); ++i) {
       PressDatum datum;
-      datum.quantity = rows.quantity == "indentation" ? PressQuantity::kIndentation
-                       : rows.quantity == "force"     ? PressQuantity::kForce
-                                                      : PressQuantity::kArea;
+      datum.quantity = value_in(kPressQuantityNames, rows.quantity, "quantity");
       datum.load = load_of(rows.loads[i]);
       if (rows.part_at) datum.over = load_of(*rows.part_at);
       datum.value = rows.values[i];
@@ -144,20 +146,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
 
 /// Returns the key of a constant in a pad's file, without its unit.
 std::string key_of(PadConstantKind kind) {
-  switch (kind) {
-    case PadConstantKind::kShearModulus:
-      return "shear_modulus";
-    case PadConstantKind::kExponent:
-      return "exponent";
-    case PadConstantKind::kPoissonRatio:
-      return "poisson_ratio";
-    case PadConstantKind::kShare:
-      return "relaxation_share";
-    case PadConstantKind::kThickness:
-      return "thickness";
-    default:
-      return "bone_height";
-  }
+  return kind == PadConstantKind::kShare ? "relaxation_share" : name_in(kConstantWords, kind);
 }
 
 /// Marks a constant as assumed or not: removes its key, with any unit, from the assumed keys, and
@@ -165,29 +154,23 @@ std::string key_of(PadConstantKind kind) {
 void mark_assumed(std::vector<std::string>& assumed, PadConstantKind kind, bool determined) {
   const std::string key = key_of(kind);
   if (kind == PadConstantKind::kShare && determined) return;
-  assumed.erase(std::remove_if(assumed.begin(), assumed.end(),
-                               [&](const std::string& each) { return each.rfind(key, 0) == 0; }),
-                assumed.end());
+  erase_where(assumed, [&](const std::string& each) { return each.rfind(key, 0) == 0; });
   const std::string& unit = display_unit(kind).name;
   if (!determined) assumed.push_back(unit.empty() ? key : key + "_" + unit);
 }
 
-void set_tissue(PadTissueSpec& spec, const PadConstant& constant, double value) {
+double& tissue_entry(PadTissueSpec& spec, const PadConstant& constant) {
   switch (constant.kind) {
     case PadConstantKind::kShearModulus:
-      spec.shear_modulus = value;
-      return;
+      return spec.shear_modulus;
     case PadConstantKind::kExponent:
-      spec.exponent = value;
-      return;
+      return spec.exponent;
     case PadConstantKind::kPoissonRatio:
-      spec.poisson_ratio = value;
-      return;
+      return spec.poisson_ratio;
     case PadConstantKind::kShare:
-      spec.relaxation_share[static_cast<std::size_t>(constant.term)] = value;
-      return;
+      return spec.relaxation_share[constant.term];
     default:
-      spec.thickness = value;
+      return spec.thickness;
   }
 }
 
@@ -199,7 +182,7 @@ std::string joined(const std::string& a, const std::string& b) {
     while (from < list.size()) {
       const std::size_t to = std::min(list.find(", ", from), list.size());
       const std::string key = list.substr(from, to - from);
-      if (std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+      if (!contains(out, key)) out.push_back(key);
       from = to + 2;
     }
   }
@@ -222,9 +205,7 @@ PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
   out.pad = build_pad(pad);
   out.pad.cells = {data.cells.across, data.cells.around, data.cells.through};
   // Drop relaxation, which costs time, if no press takes time.
-  const bool timed = std::any_of(data.presses.begin(), data.presses.end(),
-                                 [](const PadDataPress& press) { return press.ramp > 0; });
-  if (!timed)
+  if (!has_timed_press(data))
     for (Tissue& tissue : out.pad.tissues) tissue.relaxation.clear();
   // Add the free constants, each once, with their starts.
   for (const PadDataConstant& named : data.constants) {
@@ -266,10 +247,7 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
         constant.tissue == 0
             ? out.pulp
             : out.layers[out.layers.size() - static_cast<std::size_t>(constant.tissue)];
-    if (of_shape)
-      out.bone_height = estimate.value;
-    else
-      set_tissue(tissue, constant, estimate.value);
+    (of_shape ? out.bone_height : tissue_entry(tissue, constant)) = estimate.value;
     // Mark determined constants as no longer assumed, and cite the data.
     mark_assumed(of_shape ? out.shape_assumed : tissue.assumed, constant.kind, estimate.determined);
     if (!estimate.determined) continue;

@@ -182,25 +182,21 @@ bool PadPress::has_coarse_patch() const {
   if (touching == 0 || static_cast<double>(touching) * options_.force_error >= kMinPatchAccuracy)
     return false;
   const std::vector<int> cells = touching_cells();
-  return any_of(cells, [&](int index) {
-    return mesh_.cells()[static_cast<std::size_t>(index)].level < kMaxPatchLevel;
-  });
+  return any_of(cells, [&](int index) { return mesh_.cells()[index].level < kMaxPatchLevel; });
 }
 
 std::vector<int> PadPress::touching_cells() const {
   // Mark the nodes with a contact force.
   std::vector<bool> touches(static_cast<std::size_t>(mesh_.nodes()), false);
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
-    if (state_.normal_force[static_cast<Eigen::Index>(k)] > 0)
-      touches[static_cast<std::size_t>(mesh_node(*body_, surface_, k))] = true;
+    if (state_.normal_force[k] > 0) touches[mesh_node(*body_, surface_, k)] = true;
   // List the cells with such a corner, or with one that hangs on it.
   std::vector<int> out;
   for (const int index : mesh_.active()) {
-    const auto& corners = mesh_.cells()[static_cast<std::size_t>(index)].corners;
+    const auto& corners = mesh_.cells()[index].corners;
     if (any_of(corners, [&](int node) {
-          return any_of(mesh_.support(node), [&](const NodeWeight& each) {
-            return touches[static_cast<std::size_t>(each.node)];
-          });
+          return any_of(mesh_.support(node),
+                        [&](const NodeWeight& each) { return touches[each.node]; });
         }))
       out.push_back(index);
   }
@@ -220,7 +216,7 @@ std::vector<int> PadPress::cells_with_large_errors(const VectorXd& errors) const
     if (sum > options_.refined_share * errors.sum() && errors[e] < (1 - kEqualErrors) * last) break;
     sum += errors[e];
     last = errors[e];
-    marked.push_back(mesh_.active()[static_cast<std::size_t>(e)]);
+    marked.push_back(mesh_.active()[e]);
   }
   return marked;
 }

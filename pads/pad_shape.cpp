@@ -136,7 +136,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
     std::vector<int> next;
     const double part = static_cast<double>(layer) / cells.around;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Eigen::Vector2d from = disc[static_cast<std::size_t>(square[k])];
+      const Eigen::Vector2d from = disc[square[k]];
       // Interpolate to equal angles on the rim.
       const double angle = (static_cast<double>(k) / n - 1.5) * kQuarterTurn;
       next.push_back(static_cast<int>(disc.size()));
@@ -159,8 +159,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   Eigen::Matrix3Xd points(3, per_level * static_cast<Eigen::Index>(levels.size()));
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (int i = 0; i < per_level; ++i)
-      points.col(static_cast<Eigen::Index>(k) * per_level + i) << disc[static_cast<std::size_t>(i)],
-          levels[k];
+      points.col(static_cast<Eigen::Index>(k) * per_level + i) << disc[i], levels[k];
   // Create the cells between two levels; the pulp is region 0, layers follow from the inside out.
   std::vector<HexCell> list;
   for (int k = 0; k + 1 < static_cast<int>(levels.size()); ++k)
@@ -186,7 +185,7 @@ std::vector<bool> skin_nodes(const HexMesh& mesh) {
 std::vector<bool> held_by_bone(const HexMesh& mesh) {
   std::vector<bool> held(static_cast<std::size_t>(mesh.nodes()));
   for (int node = 0; node < mesh.nodes(); ++node)
-    held[static_cast<std::size_t>(node)] =
+    held[node] =
         PadChart::on_bone(mesh.chart_point(node)) || PadChart::on_rim(mesh.chart_point(node));
   return held;
 }
@@ -224,12 +223,8 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
   // Collect the columns in matrices.
   FoundationColumns out;
   const auto count = static_cast<Eigen::Index>(skin.size());
-  out.skin.resize(3, count);
-  out.normal.resize(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    out.skin.col(i) = skin[static_cast<std::size_t>(i)];
-    out.normal.col(i) = normal[static_cast<std::size_t>(i)];
-  }
+  out.skin = Eigen::Map<const Eigen::Matrix3Xd>(skin[0].data(), 3, count);
+  out.normal = Eigen::Map<const Eigen::Matrix3Xd>(normal[0].data(), 3, count);
   out.thickness = Eigen::Map<const Eigen::VectorXd>(thickness.data(), count);
   out.area = Eigen::Map<const Eigen::VectorXd>(area.data(), count);
   return out;

@@ -36,7 +36,7 @@ void add_curvature_stiffness(PressIterate& iterate) {
   const double step = kNormalStepRatio * std::sqrt(iterate.surface.area.mean());
   const Pose<double> X_OP = iterate.state.X_PO.inverse();
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const double normal_force = iterate.state.normal_force[static_cast<Eigen::Index>(k)];
+    const double normal_force = iterate.state.normal_force[k];
     if (normal_force <= 0) continue;
     const auto normal_at = [&](const Vector3d& p) {
       return Vector3d(iterate.state.X_PO.R * iterate.object.shape->nearest(X_OP * p).normal);
@@ -65,27 +65,19 @@ bool renew_tangent(PressIterate& iterate, const Matrix3Xd& u) {
   iterate.tissue.tangent = tissue_tangent;
   if (iterate.factors.cones.factor(iterate.tissue.tangent, no_springs)) return true;
   // Add springs between touching nodes and the object.
-  Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  Matrix3Xd springs = Matrix3Xd::Zero(3, iterate.contacts.size());
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
     if (iterate.contacts[k].normal_force > 0)
-      springs.col(static_cast<Eigen::Index>(k)) =
-          std::sqrt(iterate.node_stiffness[k]) * iterate.gaps.own_gradient(k);
+      springs.col(k) = std::sqrt(iterate.node_stiffness[k]) * iterate.gaps.own_gradient(k);
   add_own_stiffness(iterate);
   return iterate.factor_stabilized(
       [&] { return iterate.factors.cones.factor(iterate.tissue.tangent, springs); });
 }
 
-/// Returns the tangential slips of all nodes since the last step [m] (3, nodes).
-Matrix3Xd node_slips(const PressIterate& iterate) {
-  Matrix3Xd out(3, static_cast<Eigen::Index>(iterate.contacts.size()));
-  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    out.col(static_cast<Eigen::Index>(k)) = iterate.node_slip(k);
-  return out;
-}
-
 /// Solves for the equilibrium of the linearized body under its contacts.
 ContactCones::Equilibrium solve_under_cones(PressIterate& iterate) {
-  const Matrix3Xd slip = node_slips(iterate);
+  Matrix3Xd slip(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) slip.col(k) = iterate.node_slip(k);
   // A force to reach drives the object against a soft spring.
   std::optional<ContactCones::Drive> drive;
   if (iterate.goal.force)
@@ -122,17 +114,13 @@ PressOutcome press_by_cones(PressIterate& iterate) {
     const bool converges =
         out.iterations == 0 ||
         residual < kTangentFallRatio * std::min(residual_before, iterate.total_force);
-    if (!(has_factor && converges) && !renew_tangent(iterate, u)) {
-      out.message = "the stiffness is not positive definite";
-      return out;
-    }
+    if (!(has_factor && converges) && !renew_tangent(iterate, u))
+      return failed_by(out, "the stiffness is not positive definite");
     residual_before = residual;
     // Solve for the equilibrium of the linearized body under exact cones.
     const ContactCones::Equilibrium solution = solve_under_cones(iterate);
-    if (solution.status != Status::kSolved) {
-      out.message = "no forces of contact were found";
-      return out;
-    }
+    if (solution.status != Status::kSolved)
+      return failed_by(out, "no forces of contact were found");
     // Mix motions (Anderson) where they shrink slowly, as if friction turns with the normals.
     const bool creeps = last_dx.size() > 0 && solution.dx.norm() > kCreepRatio * last_dx.norm();
     last_dx = solution.dx;
@@ -140,10 +128,7 @@ PressOutcome press_by_cones(PressIterate& iterate) {
       mixing.clear();
     dx = mixing.next_step(solution.dx);
     // Predict the pressure and the contact forces after the motion.
-    iterate.state.pressure =
-        iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
-    iterate.state.x += dx;
-    iterate.state.X_PO.p += solution.object_motion * iterate.goal.along;
+    iterate.advance(u, dx, solution.object_motion);
     iterate.state.normal_force = solution.normal_force;
     iterate.state.friction_force = solution.friction_force;
   }

@@ -20,7 +20,7 @@ constexpr double kMaxSpringDepthRatio = 0.2;
 /// Returns whether a node touches the side of the object opposite to that at the start of the step;
 /// steps are too short to go around the object.
 bool has_changed_sides(const PressIterate& iterate, std::size_t k, const Pose<double>& X_OP) {
-  const Vector3d before = iterate.surface.rest_positions.col(static_cast<Eigen::Index>(k)) +
+  const Vector3d before = iterate.surface.rest_positions.col(k) +
                           iterate.start.x.segment<3>(3 * iterate.surface.nodes[k]);
   const Shape& shape = *iterate.object.shape;
   return shape.nearest(X_OP * iterate.node_position(k))
@@ -35,8 +35,7 @@ std::string describe_inside_node(const PressIterate& iterate, const Matrix3Xd& u
   for (const int node : iterate.body.nodes()) {
     const Vector3d p = iterate.body.rest_position(node) + u.col(node);
     const int free = iterate.body.free_index(node);
-    const double most =
-        free >= 0 ? allowed[static_cast<std::size_t>(free)] : iterate.options.gap_tolerance;
+    const double most = free >= 0 ? allowed[free] : iterate.options.gap_tolerance;
     if (!iterate.body.is_hanging(node) && iterate.object.shape->distance(X_OP * p) < -most)
       return fmt::format("the object is inside the tissue at ({:g}, {:g}, {:g}) mm", p[0] * 1e3,
                          p[1] * 1e3, p[2] * 1e3);
@@ -70,8 +69,7 @@ std::string describe_crossing(const PressIterate& iterate, const Matrix3Xd& u) {
   std::vector<double> allowed(iterate.body.free_nodes().size(),
                               iterate.options.gap_tolerance + spring_depth);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    allowed[static_cast<std::size_t>(iterate.surface.nodes[k])] +=
-        std::max(0.0, iterate.gaps.mean_offset(k));
+    allowed[iterate.surface.nodes[k]] += std::max(0.0, iterate.gaps.mean_offset(k));
   return describe_inside_node(iterate, u, X_OP, allowed);
 }
 

@@ -47,4 +47,10 @@ struct [[nodiscard]] PressOutcome {
   Wrench push;          // wrench of the object on the body, about the body's origin
 };
 
+/// Returns an outcome with the reason of its failure.
+[[nodiscard]] inline PressOutcome failed_by(PressOutcome out, const std::string& reason) {
+  out.message = reason;
+  return out;
+}
+
 }  // namespace thenar

@@ -107,8 +107,7 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
   // Subtract the contact forces from those of the tissue, and sum their wrench on the body.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const NodeContact& c = contacts[k];
-    const auto column = static_cast<Eigen::Index>(k);
-    const Vector3d force = forces.col(column) + c.friction_force;
+    const Vector3d force = forces.col(k) + c.friction_force;
     if (force.isZero(0)) continue;
     residual.segment<3>(3 * surface.nodes[k]) -= force;
     out.push += wrench_of_force(node_position(k), force);
@@ -116,12 +115,11 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
     if (c.normal_force <= 0) continue;
     force_rounding = std::max(force_rounding, node_stiffness[k] * kRoundedCoordinate);
     // Track changes of the forces: a node whose force still changes may yet stick, slip or open.
-    max_force_change = std::max(
-        max_force_change, (c.friction_force - Vector3d(state.friction_force.col(column))).norm());
+    max_force_change = std::max(max_force_change,
+                                (c.friction_force - Vector3d(state.friction_force.col(k))).norm());
     if (springs) continue;  // springs leave no gap to close
     out.gap = std::max(out.gap, std::abs(gaps.gap(k)));
-    max_force_change =
-        std::max(max_force_change, std::abs(c.normal_force - state.normal_force[column]));
+    max_force_change = std::max(max_force_change, std::abs(c.normal_force - state.normal_force[k]));
   }
   push = out.push;
   out.residual = residual.lpNorm<Eigen::Infinity>();
@@ -157,8 +155,7 @@ void PressIterate::set_node_stiffness(const std::vector<double>& values) {
   node_stiffness.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     // Compare the stiffness of the tissue at rest under the node and of the deformed body.
-    const double at_rest =
-        body.max_shear_modulus() * std::sqrt(surface.area[static_cast<Eigen::Index>(k)]);
+    const double at_rest = body.max_shear_modulus() * std::sqrt(surface.area[k]);
     double here = 0;
     for (int c = 0; c < 3; ++c)
       here = std::max(here, values[body.diagonal_entry(surface.nodes[k], c, c)]);
@@ -205,6 +202,12 @@ bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matri
   return true;
 }
 
+void PressIterate::advance(const Matrix3Xd& u, const VectorXd& dx, double object_motion) {
+  state.pressure = body.predict_pressure(u, body.node_displacements(dx, {}));
+  state.x += dx;
+  state.X_PO.p += object_motion * goal.along;
+}
+
 VectorXd PressIterate::solve_iteratively(
     const VectorXd& b, const std::function<Matrix3Xd(const Matrix3Xd&)>& left_out) const {
   // Solve  (1 + A^-1 B) x = A^-1 b  by GMRES, where the factor of A leaves out B.
@@ -216,8 +219,7 @@ VectorXd PressIterate::solve_iteratively(
 }
 
 Vector3d PressIterate::node_position(std::size_t k) const {
-  return surface.rest_positions.col(static_cast<Eigen::Index>(k)) +
-         state.x.segment<3>(3 * surface.nodes[k]);
+  return surface.rest_positions.col(k) + state.x.segment<3>(3 * surface.nodes[k]);
 }
 
 Vector3d PressIterate::tangential(std::size_t k, const Vector3d& v) const {
@@ -226,7 +228,7 @@ Vector3d PressIterate::tangential(std::size_t k, const Vector3d& v) const {
 }
 
 Vector3d PressIterate::node_slip(std::size_t k) const {
-  const Vector3d anchor = start.anchor.col(static_cast<Eigen::Index>(k));
+  const Vector3d anchor = start.anchor.col(k);
   return tangential(k, node_position(k) - state.X_PO * anchor);
 }
 
@@ -237,7 +239,7 @@ Matrix3Xd PressIterate::surface_displacements(const VectorXd& x) const {
 VectorXd PressIterate::body_forces(const Matrix3Xd& forces) const {
   VectorXd out = VectorXd::Zero(body.unknowns());
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    out.segment<3>(3 * surface.nodes[k]) = forces.col(static_cast<Eigen::Index>(k));
+    out.segment<3>(3 * surface.nodes[k]) = forces.col(k);
   return out;
 }
 

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -80,6 +79,9 @@ struct PressIterate : PressProblem {
       const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve, Eigen::VectorXd& dx,
       double& motion) const;
 
+  /// Moves body and object, and predicts the pressure after the motion.
+  /// @param u  displacements of all nodes before [m] (3, nodes)
+  void advance(const Eigen::Matrix3Xd& u, const Eigen::VectorXd& dx, double object_motion);
   /// Solves a linear system by GMRES, preconditioned by the factored tangent.
   /// @param left_out  loss of contact forces that the factor leaves out [N] (3, nodes)
   [[nodiscard]] Eigen::VectorXd solve_iteratively(

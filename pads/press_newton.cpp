@@ -10,7 +10,6 @@ namespace thenar {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Largest residual over that of the last iteration for which the tangent is reused [1]
@@ -27,8 +26,7 @@ VectorXd solve_coupled(const PressIterate& iterate, const VectorXd& b) {
     // Subtract the part of the loss that the factor contains.
     Matrix3Xd left_out = contact_force_loss(iterate, moved);
     for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      left_out.col(column) -= own_stiffness(iterate, k) * moved.col(column);
+      left_out.col(k) -= own_stiffness(iterate, k) * moved.col(k);
     }
     return left_out;
   });
@@ -46,25 +44,21 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
           [&](const Matrix3Xd& moved) { return contact_force_loss(iterate, moved); },
           [&](const VectorXd& b) { return solve_coupled(iterate, b); }, dx, motion))
     return false;
-  // Predict the pressure and the contact forces after the step.
-  iterate.state.pressure =
-      iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
+  // Predict the contact forces after the step.
   Matrix3Xd moved = iterate.surface_displacements(dx);
   moved.colwise() -= motion * iterate.goal.along;
   const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
     const NodeContact& c = iterate.contacts[k];
-    const double lost = iterate.node_stiffness[k] * gap_changes[column];
-    double& normal_force = iterate.state.normal_force[column];
+    const double lost = iterate.node_stiffness[k] * gap_changes[k];
+    double& normal_force = iterate.state.normal_force[k];
     normal_force = c.normal_force > 0 ? std::max(0.0, c.normal_force - lost) : 0;
-    iterate.state.friction_force.col(column).setZero();
+    iterate.state.friction_force.col(k).setZero();
     if (normal_force > 0)
-      iterate.state.friction_force.col(column) =
-          c.friction_force - lost_friction(iterate, k, moved.col(column), lost);
+      iterate.state.friction_force.col(k) =
+          c.friction_force - lost_friction(iterate, k, moved.col(k), lost);
   }
-  iterate.state.x += dx;
-  iterate.state.X_PO.p += motion * iterate.goal.along;
+  iterate.advance(u, dx, motion);
   return true;
 }
 
@@ -100,10 +94,8 @@ PressOutcome press_by_newton(PressIterate& iterate) {
       iterate.body.evaluate(u, iterate.goal.time, iterate.start.history, iterate.state.pressure,
                             ElementRequest::kStiffness, iterate.tissue);
     }
-    if ((!reuses_tangent && !factor_with_contacts(iterate)) || !take_step(iterate, u)) {
-      out.message = "the stiffness is not positive definite";
-      return out;
-    }
+    if ((!reuses_tangent && !factor_with_contacts(iterate)) || !take_step(iterate, u))
+      return failed_by(out, "the stiffness is not positive definite");
     // Reuse the tangent close to the solution, while contacts keep their states.
     residual_before = residual;
     reuses_tangent = same_contacts && residual < kTangentReuseShare * iterate.total_force;

@@ -59,10 +59,7 @@ class SpringPress {
         iterate_.accept(u, out);
         return out;
       }
-      if (is_cycling(out)) {
-        out.message = "steps go round";
-        return out;
-      }
+      if (is_cycling(out)) return failed_by(out, "steps go round");
       if (iterate_.goal.force && iterate_.total_force == 0) {
         // Move an object that seeks a force to where it touches.
         iterate_.gaps.update(*iterate_.object.shape, iterate_.state.X_PO, iterate_.state.x);
@@ -70,10 +67,7 @@ class SpringPress {
         line_.start_potential = kInfinity;
         continue;
       }
-      if (!compute_step()) {
-        out.message = "the stiffness is not positive definite";
-        return out;
-      }
+      if (!compute_step()) return failed_by(out, "the stiffness is not positive definite");
       take_step(u, out.iterations > kFullStepIterations);
     }
     return out;
@@ -118,9 +112,8 @@ class SpringPress {
                              iterate_.node_stiffness, friction,
                              {iterate_.start.anchor, iterate_.state.friction_force});
     for (std::size_t k = 0; k < iterate_.contacts.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      iterate_.contacts[k].normal_force = iterate_.springs->normal_forces().col(column).norm();
-      iterate_.contacts[k].friction_force = iterate_.springs->friction_forces().col(column);
+      iterate_.contacts[k].normal_force = iterate_.springs->normal_forces().col(k).norm();
+      iterate_.contacts[k].friction_force = iterate_.springs->friction_forces().col(k);
     }
   }
 
@@ -182,17 +175,14 @@ class SpringPress {
     last_dx_ = dx_;
     if (lengthens)
       dx_ *= std::clamp(iterate_.max_motion / dx_.lpNorm<Eigen::Infinity>(), 1.0, kMaxLengthening);
-    // Predict the pressure and the friction after the step.
-    iterate_.state.pressure =
-        iterate_.body.predict_pressure(u, iterate_.body.node_displacements(dx_, {}));
+    // Predict the friction after the step.
     if (iterate_.object.friction > 0) {
       Matrix3Xd moved = iterate_.surface_displacements(dx_);
       moved.colwise() -= line_.object_motion * iterate_.goal.along;
       iterate_.state.friction_force =
           iterate_.springs->friction_forces() - iterate_.springs->friction_force_loss(moved);
     }
-    iterate_.state.x += dx_;
-    iterate_.state.X_PO.p += line_.object_motion * iterate_.goal.along;
+    iterate_.advance(u, dx_, line_.object_motion);
   }
 
   /// Returns whether frictionless steps grow in one direction, as away from an unstable

@@ -2,7 +2,6 @@
 
 /// State of a press: displacements, pressure, relaxation history and contact forces.
 
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>

@@ -11,8 +11,6 @@
 namespace thenar {
 namespace {
 
-using Eigen::Matrix3Xd;
-
 // Largest number of touching nodes for which exact cones cost less than Newton's method
 constexpr int kMaxConeNodes = 60;
 
@@ -21,8 +19,7 @@ int count_touching_nodes(PressIterate& iterate) {
   iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
   int count = 0;
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    if (iterate.state.normal_force[static_cast<Eigen::Index>(k)] > 0 || iterate.gaps.gap(k) < 0)
-      ++count;
+    if (iterate.state.normal_force[k] > 0 || iterate.gaps.gap(k) < 0) ++count;
   return count;
 }
 
@@ -51,13 +48,12 @@ PressState final_state(PressIterate& iterate) {
   PressState& state = iterate.state;
   // Copy the forces of the nodes, and anchor them to the object.
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
     const NodeContact& c = iterate.contacts[k];
-    state.normal_force[column] = c.normal_force;
+    state.normal_force[k] = c.normal_force;
     // Friction may exceed its cone by the tolerance.
     const double bound = iterate.object.friction * c.normal_force, size = c.friction_force.norm();
-    state.friction_force.col(column) = (size > bound ? bound / size : 1.0) * c.friction_force;
-    state.anchor.col(column) = state.X_PO.inverse() * iterate.node_position(k);
+    state.friction_force.col(k) = (size > bound ? bound / size : 1.0) * c.friction_force;
+    state.anchor.col(k) = state.X_PO.inverse() * iterate.node_position(k);
   }
   // Copy the wrench and the springs, and advance the relaxation over the step.
   state.push = iterate.push;
@@ -76,8 +72,7 @@ TouchingNodes touching_nodes(const PressState& state, double friction) {
   out.friction_ratio.resize(3, state.normal_force.size());
   for (Eigen::Index k = 0; k < state.normal_force.size(); ++k) {
     if (state.normal_force[k] <= 0) continue;
-    out.friction_ratio.col(static_cast<Eigen::Index>(out.nodes.size())) =
-        state.friction_force.col(k) / state.normal_force[k];
+    out.friction_ratio.col(out.nodes.size()) = state.friction_force.col(k) / state.normal_force[k];
     out.nodes.push_back(static_cast<int>(k));
     out.sticks.push_back(node_sticks(state, k, friction));
   }

@@ -1,7 +1,5 @@
 #include "pads/press_surface.h"
 
-#include <algorithm>
-
 #include "pads/pad_press.h"
 #include "pads/press_state.h"
 
@@ -30,12 +28,11 @@ void set_contact(const PadPress& press, double friction, MeshContact& out) {
   out.normal = Eigen::VectorXd::Zero(press.mesh().nodes());
   out.contact.assign(static_cast<std::size_t>(press.mesh().nodes()), SkinContact::kFree);
   for (std::size_t k = 0; k < press.surface().nodes.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
     const int node = mesh_node(press.body(), press.surface(), k);
-    out.normal[node] = state.normal_force[column];
-    if (state.normal_force[column] <= 0) continue;
-    out.contact[static_cast<std::size_t>(node)] =
-        node_sticks(state, column, friction) ? SkinContact::kSticks : SkinContact::kSlips;
+    out.normal[node] = state.normal_force[k];
+    if (state.normal_force[k] <= 0) continue;
+    out.contact[node] =
+        node_sticks(state, k, friction) ? SkinContact::kSticks : SkinContact::kSlips;
   }
 }
 
@@ -51,7 +48,7 @@ void set_skin_node(const HexMesh& mesh, const MeshContact& mesh_contact, int nod
     if (mesh_contact.area[each.node] > 0)
       skin.pressure[k] +=
           each.weight * (mesh_contact.normal[each.node] / mesh_contact.area[each.node]);
-    const SkinContact contact = mesh_contact.contact[static_cast<std::size_t>(each.node)];
+    const SkinContact contact = mesh_contact.contact[each.node];
     touching += contact != SkinContact::kFree ? each.weight : 0;
     sticking += contact == SkinContact::kSticks ? each.weight : 0;
   }
@@ -66,7 +63,7 @@ std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes) {
   std::vector<int> old, place(static_cast<std::size_t>(nodes), -1);
   for (std::array<int, 4>& face : faces)
     for (int& node : face) {
-      int& known = place[static_cast<std::size_t>(node)];
+      int& known = place[node];
       if (known < 0) {
         known = static_cast<int>(old.size());
         old.push_back(node);
@@ -97,7 +94,7 @@ PressedSkin pressed_skin(const PadPress& press, double friction) {
   skin.pressure.resize(count);
   skin.normal.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const int node = nodes[static_cast<std::size_t>(k)];
+    const int node = nodes[k];
     skin.places.col(k) = at.col(node);
     skin.at_rest.col(k) = at_rest.col(node);
     set_skin_node(mesh, mesh_contact, node, k, skin);

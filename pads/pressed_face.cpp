@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "base/lists.h"
 #include "pads/triangle_planes.h"
 
 namespace thenar {
@@ -96,8 +97,7 @@ class FacePress {
     const double reach =
         std::max((at[1].place - at[0].place).norm(), (at[2].place - at[0].place).norm());
     if (at[0].distance > reach) return;
-    for (Eigen::Index c = 0; c < 3; ++c)
-      corner_shapes_.col(c) = at[static_cast<std::size_t>(c)].shape;
+    for (Eigen::Index c = 0; c < 3; ++c) corner_shapes_.col(c) = at[c].shape;
     triangle_stiffness_ = std::pow(0.25, cuts) * stiffness_.dot(corner_shapes_.rowwise().mean());
     // Compute the object's planes at the corners, the turn of normals between them, and the excess
     // of a plane over the object, which only a concave object allows.
@@ -107,13 +107,13 @@ class FacePress {
       planes[p] = plane_at(at, at[p].place, at[p].normal, at[p].distance);
       for (std::size_t c = 0; c < 3; ++c) {
         turn = std::max(turn, (at[p].normal - at[c].normal).norm());
-        excess = std::max(excess, planes[p].values[static_cast<Eigen::Index>(c)] - at[c].distance);
+        excess = std::max(excess, planes[p].values[c] - at[c].distance);
       }
     }
     // Skip a triangle that is wholly outside one plane of a convex object.
     const bool is_convex = excess < kConvexRounding;
-    if (is_convex && std::any_of(planes.begin(), planes.end(),
-                                 [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
+    if (is_convex &&
+        any_of(planes, [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
       return;
     // Use planes at straight edges, a linear depth on smooth objects, a subdivision elsewhere.
     if (turn > kPlaneTurn && is_convex && find_planes(at, planes))
@@ -137,8 +137,7 @@ class FacePress {
   static Plane plane_at(const Triangle& at, const Vector3d& place, const Vector3d& normal,
                         double distance) {
     Plane out{Vector3d::Constant(distance), normal};
-    for (Eigen::Index c = 0; c < 3; ++c)
-      out.values[c] += normal.dot(at[static_cast<std::size_t>(c)].place - place);
+    for (Eigen::Index c = 0; c < 3; ++c) out.values[c] += normal.dot(at[c].place - place);
     return out;
   }
 
@@ -177,8 +176,7 @@ class FacePress {
     const TrianglePart part = clipped(whole_triangle(), depth);
     add_part_springs(part, depth, normal, [&](const Vector3d& b) {
       FaceCorners slope = FaceCorners::Zero();
-      for (std::size_t c = 0; c < 3; ++c)
-        slope += b[static_cast<Eigen::Index>(c)] * at[c].normal * at[c].shape.transpose();
+      for (std::size_t c = 0; c < 3; ++c) slope += b[c] * at[c].normal * at[c].shape.transpose();
       return slope;
     });
     if (!smooth || part.size < 3) return;
@@ -201,7 +199,7 @@ class FacePress {
       for (Eigen::Index i = 0; i < 4; ++i)
         for (Eigen::Index j = 0; j < 4; ++j)
           out_.stiffness.block<3, 3>(3 * i, 3 * j) -=
-              forces[static_cast<Eigen::Index>(c)] * at[c].shape[i] * at[c].shape[j] * curvature;
+              forces[c] * at[c].shape[i] * at[c].shape[j] * curvature;
   }
 
   /// Finds planes whose largest distance equals that of the object all over the part of the

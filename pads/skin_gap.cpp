@@ -139,7 +139,7 @@ class OverlapSearch {
         const double turn = 2 * kPi * k / kGradientPoints;
         const Vector2d at = best + ring * Vector2d(std::cos(turn), std::sin(turn));
         const double here = overlap(at), d = kGradientStep * ring;
-        gradients[static_cast<std::size_t>(k)] =
+        gradients[k] =
             Vector2d(overlap(at + Vector2d(d, 0)) - here, overlap(at + Vector2d(0, d)) - here) / d;
       }
       // Step on while the overlap increases as the gradients predict; otherwise shrink the ring.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 using Eigen::Index;
@@ -27,8 +29,7 @@ const Vector3d& edge_offset() {
 template <class Call>
 void for_each_node(const SurfaceFace& face, const Call& call) {
   for (Index corner = 0; corner < 4; ++corner)
-    for (const NodeWeight& each : face.corners[static_cast<std::size_t>(corner)])
-      call(corner, each.node, each.weight);
+    for (const NodeWeight& each : face.corners[corner]) call(corner, each.node, each.weight);
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ void SkinSprings::update(const Shape& object, const Pose<double>& X_PO, const Ve
     // Interpolate the stiffness per area at the face's corners.
     Eigen::Vector4d per_area = Eigen::Vector4d::Zero();
     for_each_node(face, [&](Index corner, int node, double weight) {
-      per_area[corner] += weight * stiffness[static_cast<std::size_t>(node)] / surface_.area[node];
+      per_area[corner] += weight * stiffness[node] / surface_.area[node];
     });
     PressedFace springs =
         press_face(corner_positions(face, places), per_area, face.area, object, X_offset);
@@ -71,11 +72,10 @@ bool SkinSprings::has_changed_sides(const Shape& object, const Pose<double>& X_P
                                     double cosine) const {
   const Matrix3Xd places = deformed_positions(surface_, before);
   const Pose<double> X_OP_before = X_PO_before.inverse();
-  return std::any_of(pressed_.begin(), pressed_.end(), [&](const PressedPart& each) {
+  return any_of(pressed_, [&](const PressedPart& each) {
     // Compare the object's normal at each pressed point with that at the earlier position.
     const FaceCorners earlier = corner_positions(*each.face, places);
-    const std::vector<PressedFace::Point>& points = each.springs.points;
-    return std::any_of(points.begin(), points.end(), [&](const PressedFace::Point& point) {
+    return any_of(each.springs.points, [&](const PressedFace::Point& point) {
       const Vector3d place = X_OP_before * Vector3d(earlier * point.shape);
       return object.nearest(place).normal.dot(X_PO.R.transpose() * point.normal) < cosine;
     });
@@ -88,14 +88,13 @@ void SkinSprings::update_friction(const Pose<double>& X_PO, const Matrix3Xd& pla
   for (Index k = 0; k < places.cols(); ++k) {
     const double normal_force = normal_forces_.col(k).norm();
     if (normal_force <= 0) continue;
-    NodeFriction& node = node_friction_[static_cast<std::size_t>(k)];
+    NodeFriction& node = node_friction_[k];
     node.normal = normal_forces_.col(k) / normal_force;
     // Subtract a spring times the slip from the last friction, and scale it back to the cone.
     const auto tangential = [&](const Vector3d& v) {
       return Vector3d(v - v.dot(node.normal) * node.normal);
     };
-    const double spring = kStickStiffnessRatio * stiffness[static_cast<std::size_t>(k)],
-                 bound = friction_ * normal_force;
+    const double spring = kStickStiffnessRatio * stiffness[k], bound = friction_ * normal_force;
     const Vector3d last = start.friction.col(k);
     node.normal_force = normal_force;
     node.trial_force = last - spring * (places.col(k) - X_PO * Vector3d(start.anchor.col(k)));
@@ -120,7 +119,7 @@ Matrix3d SkinSprings::own_stiffness(const NodeFriction& node) {
 }
 
 void SkinSprings::add_stiffness(std::vector<double>& values) const {
-  const auto free = [&](int node) { return surface_.nodes[static_cast<std::size_t>(node)]; };
+  const auto free = [&](int node) { return surface_.nodes[node]; };
   // Add the block of each pair of nodes once, as the tangent is symmetric.
   for (const PressedPart& each : pressed_)
     for_each_node(*each.face, [&](Index row, int one, double weight) {
@@ -157,16 +156,15 @@ Matrix3Xd SkinSprings::friction_force_loss(const Matrix3Xd& moved) const {
   Matrix3Xd out = normal_force_loss(moved);
   for (std::size_t k = 0; k < node_friction_.size(); ++k) {
     const NodeFriction& node = node_friction_[k];
-    const auto column = static_cast<Index>(k);
     if (node.normal_force <= 0) continue;
-    const Vector3d n = node.normal, lost = out.col(column), move = moved.col(column);
+    const Vector3d n = node.normal, lost = out.col(k), move = moved.col(k);
     // Friction changes by the node's slip, the loss of normal force, and the turn of the normal.
     const Vector3d slid = move - n.dot(move) * n,
                    turn = (n.dot(lost) * n - lost) / node.normal_force;
     Vector3d turned = -turn.dot(node.trial_force) * n - n.dot(node.trial_force) * turn;
     turned -= node.slip_direction.dot(turned) * node.slip_direction;
-    out.col(column) = node.stiffness * (slid - node.slip_direction.dot(slid) * node.last_ratio) +
-                      friction_ * n.dot(lost) * node.slip_direction - node.scale * turned;
+    out.col(k) = node.stiffness * (slid - node.slip_direction.dot(slid) * node.last_ratio) +
+                 friction_ * n.dot(lost) * node.slip_direction - node.scale * turned;
   }
   return out;
 }
@@ -174,9 +172,8 @@ Matrix3Xd SkinSprings::friction_force_loss(const Matrix3Xd& moved) const {
 Matrix3Xd SkinSprings::unfactored_loss(const Matrix3Xd& moved) const {
   Matrix3Xd out = friction_force_loss(moved);
   for (std::size_t k = 0; k < node_friction_.size(); ++k) {
-    const auto column = static_cast<Index>(k);
     if (node_friction_[k].stiffness > 0)
-      out.col(column) -= own_stiffness(node_friction_[k]) * moved.col(column);
+      out.col(k) -= own_stiffness(node_friction_[k]) * moved.col(k);
   }
   return out;
 }

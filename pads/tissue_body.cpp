@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -24,8 +25,7 @@ std::vector<int> lattice_of(const HexMesh& mesh, const HexCell& parent) {
   for (int child = 0; child < 8; ++child)
     for (int corner = 0; corner < 8; ++corner)
       nodes[lattice_index(child, corner)] =
-          mesh.cells()[static_cast<std::size_t>(parent.first_child + child)]
-              .corners[static_cast<std::size_t>(corner)];
+          mesh.cells()[parent.first_child + child].corners[corner];
   return nodes;
 }
 
@@ -48,13 +48,12 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
   free_index_.assign(fixed.size(), -1);
   node_masters_.resize(fixed.size());
   for (int node = 0; node < mesh.nodes(); ++node) {
-    const auto at = static_cast<std::size_t>(node);
     rest_positions_.push_back(mesh.place(node));
     if (!mesh.in_use(node)) continue;
     nodes_.push_back(node);
-    node_masters_[at] = mesh.masters(node);
-    if (!node_masters_[at].empty() || fixed[at]) continue;
-    free_index_[at] = static_cast<int>(free_nodes_.size());
+    node_masters_[node] = mesh.masters(node);
+    if (!node_masters_[node].empty() || fixed[node]) continue;
+    free_index_[node] = static_cast<int>(free_nodes_.size());
     free_nodes_.push_back(node);
   }
   require(!free_nodes_.empty(), "no node of the tissue is free");
@@ -71,7 +70,7 @@ void TissueBody::build_elements(const HexMesh& mesh) {
     element.region = region;
     Matrix3Xd X(3, static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t a = 0; a < nodes.size(); ++a) {
-      X.col(static_cast<Eigen::Index>(a)) = mesh.place(nodes[a]);
+      X.col(a) = mesh.place(nodes[a]);
       require(kind_ != HexElement::kQuadratic || mesh.masters(nodes[a]).empty(),
               "a node of a quadratic mesh hangs");
       element.masters.emplace_back();
@@ -86,20 +85,19 @@ void TissueBody::build_elements(const HexMesh& mesh) {
   if (kind_ != HexElement::kQuadratic) {
     // Add one element for each active cell.
     for (const int index : mesh.active()) {
-      const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+      const HexCell& cell = mesh.cells()[index];
       add({cell.corners.begin(), cell.corners.end()}, cell.region);
     }
     return;
   }
   // Add one quadratic element for each parent of eight active cells.
   std::set<int> parents;
-  for (const int index : mesh.active())
-    parents.insert(mesh.cells()[static_cast<std::size_t>(index)].parent);
+  for (const int index : mesh.active()) parents.insert(mesh.cells()[index].parent);
   for (const int index : parents) {
     require(index >= 0, "quadratic elements need cells in eights: refine the mesh once");
-    const HexCell& parent = mesh.cells()[static_cast<std::size_t>(index)];
+    const HexCell& parent = mesh.cells()[index];
     for (int k = 0; k < 8; ++k)
-      require(mesh.cells()[static_cast<std::size_t>(parent.first_child + k)].first_child < 0,
+      require(mesh.cells()[parent.first_child + k].first_child < 0,
               "quadratic elements need cells in eights: cell {} has finer children", index);
     add(lattice_of(mesh, parent), parent.region);
   }
@@ -112,8 +110,7 @@ void TissueBody::build_pattern() {
     std::set<int> all;
     for (const std::vector<NodeWeight>& masters : element.masters)
       for (const NodeWeight& each : masters) all.insert(each.node);
-    for (const int j : all)
-      below[static_cast<std::size_t>(j)].insert(all.lower_bound(j), all.end());
+    for (const int j : all) below[j].insert(all.lower_bound(j), all.end());
   }
   // List the rows of the lower triangle, three columns for each node.
   pattern_.size = unknowns();
@@ -138,7 +135,7 @@ void TissueBody::list_block_shares(Element& element) const {
     const int column = std::min(left.node, right.node), row = std::max(left.node, right.node);
     const bool transposed = left.node < right.node;
     if (a == b && transposed) return;  // the pair in the other order covers it
-    const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
+    const std::vector<int>& list = columns_[column];
     const auto place =
         static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
     element.shares.push_back({static_cast<int>(a), static_cast<int>(b), column, place,
@@ -153,7 +150,7 @@ void TissueBody::list_block_shares(Element& element) const {
 
 std::size_t TissueBody::block_entry(int column, int place, int r, int c) const {
   // Column 3 j + c has 3 - c rows of the diagonal block, then three of each block below.
-  const int start = pattern_.starts[static_cast<std::size_t>(3 * column + c)];
+  const int start = pattern_.starts[3 * column + c];
   return static_cast<std::size_t>(place == 0 ? start + r - c
                                              : start + (3 - c) + 3 * (place - 1) + r);
 }
@@ -166,7 +163,7 @@ void TissueBody::add_block(std::vector<double>& tangent, int row, int column,
                            const Eigen::Matrix3d& block) const {
   // Find the stored block in the lower triangle; its transpose is added if the row comes first.
   const int first = std::min(row, column);
-  const std::vector<int>& below = columns_[static_cast<std::size_t>(first)];
+  const std::vector<int>& below = columns_[first];
   const auto found = std::find(below.begin(), below.end(), std::max(row, column));
   const auto place = static_cast<int>(found - below.begin());
   for (int c = 0; c < 3; ++c)
@@ -187,10 +184,10 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
     };
     const Vector3d x = a - place, y = b - place, z = c - place, w = d - place;
     const std::array<double, 4> parts{side(y, w, z), side(x, z, w), side(x, w, y), side(x, y, z)};
-    return std::all_of(parts.begin(), parts.end(), [](double part) { return part >= 0; }) ||
-           std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
+    return all_of(parts, [](double part) { return part >= 0; }) ||
+           all_of(parts, [](double part) { return part <= 0; });
   };
-  return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
+  return any_of(elements_, [&](const Element& element) {
     // Compute the deformed corners; their box excludes most elements.
     std::array<Vector3d, 8> at;
     Eigen::AlignedBox3d box;
@@ -202,16 +199,13 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
     }
     if (!box.contains(place)) return false;
     for (std::size_t k = 0; k < 6; ++k)
-      if (in_tetrahedron(at[0], at[static_cast<std::size_t>(kAround[k])],
-                         at[static_cast<std::size_t>(kAround[k + 1])], at[7]))
-        return true;
+      if (in_tetrahedron(at[0], at[kAround[k]], at[kAround[k + 1]], at[7])) return true;
     return false;
   });
 }
 
 bool TissueBody::relaxes() const {
-  return std::any_of(tissues_.begin(), tissues_.end(),
-                     [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
+  return any_of(tissues_, [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
 double TissueBody::max_shear_modulus() const {
@@ -225,8 +219,7 @@ double TissueBody::max_pressure_force() const {
   for (const Element& element : elements_) {
     const double volume =
         std::accumulate(element.shape.volume.begin(), element.shape.volume.end(), 0.0);
-    largest = std::max(largest, bulk_modulus(tissues_[static_cast<std::size_t>(element.region)]) *
-                                    std::pow(volume, 2.0 / 3));
+    largest = std::max(largest, bulk_modulus(tissues_[element.region]) * std::pow(volume, 2.0 / 3));
   }
   return largest;
 }
@@ -234,11 +227,10 @@ double TissueBody::max_pressure_force() const {
 Matrix3Xd TissueBody::node_displacements(const VectorXd& x, const Matrix3Xd& at_fixed) const {
   const auto nodes = static_cast<Eigen::Index>(free_index_.size());
   Matrix3Xd u = at_fixed.cols() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, nodes)) : at_fixed;
-  for (std::size_t i = 0; i < free_nodes_.size(); ++i)
-    u.col(free_nodes_[i]) = x.segment<3>(static_cast<Eigen::Index>(3 * i));
+  for (std::size_t i = 0; i < free_nodes_.size(); ++i) u.col(free_nodes_[i]) = x.segment<3>(3 * i);
   // Hanging nodes follow their masters, which do not hang, so any order is valid.
   for (Eigen::Index node = 0; node < nodes; ++node) {
-    const std::vector<NodeWeight>& masters = node_masters_[static_cast<std::size_t>(node)];
+    const std::vector<NodeWeight>& masters = node_masters_[node];
     if (masters.empty()) continue;
     u.col(node).setZero();
     for (const NodeWeight& each : masters) u.col(node) += each.weight * u.col(each.node);
@@ -247,22 +239,20 @@ Matrix3Xd TissueBody::node_displacements(const VectorXd& x, const Matrix3Xd& at_
 }
 
 std::vector<MemoryStep> TissueBody::memory_steps(double h) const {
-  std::vector<MemoryStep> steps;
-  for (const Tissue& tissue : tissues_) steps.push_back(memory_step(tissue.relaxation, h));
-  return steps;
+  return transformed(tissues_,
+                     [&](const Tissue& tissue) { return memory_step(tissue.relaxation, h); });
 }
 
 Matrix3Xd TissueBody::element_displacements(const Element& element, const Matrix3Xd& u) const {
   Matrix3Xd own(3, static_cast<Eigen::Index>(element.nodes.size()));
-  for (std::size_t a = 0; a < element.nodes.size(); ++a)
-    own.col(static_cast<Eigen::Index>(a)) = u.col(element.nodes[a]);
+  for (std::size_t a = 0; a < element.nodes.size(); ++a) own.col(a) = u.col(element.nodes[a]);
   return own;
 }
 
 const ElementHistory& TissueBody::element_history(std::size_t element,
                                                   const TissueHistory& history) const {
   if (!history.empty()) return history[element];
-  return undeformed_history_[static_cast<std::size_t>(elements_[element].region)];
+  return undeformed_history_[elements_[element].region];
 }
 
 void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& history,
@@ -281,9 +271,9 @@ void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& his
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    const auto region = static_cast<std::size_t>(element.region);
-    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
-                     &steps[region], &element_history(e, history),
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &steps[element.region],
+                     &element_history(e, history),
                      tangent_pressure.empty() ? nullptr : &tangent_pressure[e], request, response);
     if (response.inverted) {
       out.inverted = true;
@@ -300,8 +290,7 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
   // Assign the forces on the nodes to their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (const NodeWeight& each : element.masters[b])
-      out.force.segment<3>(3 * each.node) +=
-          each.weight * response.force.segment<3>(static_cast<Eigen::Index>(3 * b));
+      out.force.segment<3>(3 * each.node) += each.weight * response.force.segment<3>(3 * b);
   if (request != ElementRequest::kStiffness) return;
   for (const BlockShare& share : element.shares) {
     // Complete a diagonal block of the element, of which only the upper triangle is computed.
@@ -316,12 +305,10 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
 }
 
 TissuePressure TissueBody::predict_pressure(const Matrix3Xd& u, const Matrix3Xd& du) const {
-  TissuePressure out;
-  for (const Element& element : elements_)
-    out.push_back(
-        linear_pressure(kind_, element.shape, tissues_[static_cast<std::size_t>(element.region)],
-                        element_displacements(element, u), element_displacements(element, du)));
-  return out;
+  return transformed(elements_, [&](const Element& element) {
+    return linear_pressure(kind_, element.shape, tissues_[element.region],
+                           element_displacements(element, u), element_displacements(element, du));
+  });
 }
 
 TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
@@ -332,13 +319,13 @@ TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    const auto region = static_cast<std::size_t>(element.region);
-    const MemoryStep& step = steps[region];
+    const MemoryStep& step = steps[element.region];
     // Compute the elastic stress at the end of the step.
     ElementHistory at = element_history(e, history);
     const std::size_t points = at.elastic.size();
-    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
-                     &step, &at, nullptr, ElementRequest::kForce, response);
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &step, &at, nullptr, ElementRequest::kForce,
+                     response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
     // Decay the history terms, and add the change of the elastic stress.
     if (!step.decay.empty()) {
@@ -368,7 +355,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
     const Matrix3Xd own = element_displacements(element, u);
     Voigt mean = Voigt::Zero();
     double volume = 0;
-    const Tissue& tissue = tissues_[static_cast<std::size_t>(element.region)];
+    const Tissue& tissue = tissues_[element.region];
     modulus.push_back(0);
     for (std::size_t q = 0; q < points; ++q) {
       isochoric_response(tissue, element_deformation(element.shape, own, q), true, response);
@@ -403,7 +390,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
                 (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) /
                 (4 * modulus[e]);
     }
-    out[static_cast<Eigen::Index>(e)] = energy;
+    out[e] = energy;
   }
   return out;
 }
@@ -414,16 +401,14 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    const auto region = static_cast<std::size_t>(element.region);
-    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
-                     &steps[region], &element_history(e, history), nullptr, ElementRequest::kForce,
-                     response);
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &steps[element.region],
+                     &element_history(e, history), nullptr, ElementRequest::kForce, response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
     // Assign forces on hanging nodes to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
-      const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
-      const std::vector<NodeWeight>& masters =
-          node_masters_[static_cast<std::size_t>(element.nodes[a])];
+      const Eigen::Vector3d f = response.force.segment<3>(3 * a);
+      const std::vector<NodeWeight>& masters = node_masters_[element.nodes[a]];
       if (masters.empty()) out.col(element.nodes[a]) += f;
       for (const NodeWeight& each : masters) out.col(each.node) += each.weight * f;
     }
@@ -434,7 +419,7 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
 Eigen::Matrix3d mean_deformation(const HexCell& cell, const Matrix3Xd& places, const Matrix3Xd& u) {
   Matrix3Xd X(3, 8), moved(3, 8);
   for (Eigen::Index c = 0; c < 8; ++c) {
-    const int node = cell.corners[static_cast<std::size_t>(c)];
+    const int node = cell.corners[c];
     X.col(c) = places.col(node);
     moved.col(c) = u.col(node);
   }

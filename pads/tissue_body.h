@@ -48,15 +48,11 @@ class TissueBody {
   [[nodiscard]] const std::vector<int>& nodes() const { return nodes_; }
   /// Returns the reference position of a node [m] (3).
   [[nodiscard]] const Eigen::Vector3d& rest_position(int node) const {
-    return rest_positions_[static_cast<std::size_t>(node)];
+    return rest_positions_[node];
   }
-  [[nodiscard]] bool is_hanging(int node) const {
-    return !node_masters_[static_cast<std::size_t>(node)].empty();
-  }
+  [[nodiscard]] bool is_hanging(int node) const { return !node_masters_[node].empty(); }
   /// Returns the index of a node among the free ones; -1: fixed, hanging or unused.
-  [[nodiscard]] int free_index(int node) const {
-    return free_index_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] int free_index(int node) const { return free_index_[node]; }
   /// Returns the number of elements.
   [[nodiscard]] std::size_t elements() const { return elements_.size(); }
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }

@@ -97,8 +97,7 @@ std::vector<double> side_by_side(const std::vector<double>& list, int points, in
   const int padded = padded_points(points);
   std::vector<double> out;
   for (int k = 0; k < 3 * nodes; ++k)
-    for (int q = 0; q < padded; ++q)
-      out.push_back(list[static_cast<std::size_t>(std::min(q, points - 1) * 3 * nodes + k)]);
+    for (int q = 0; q < padded; ++q) out.push_back(list[std::min(q, points - 1) * 3 * nodes + k]);
   return out;
 }
 
@@ -153,7 +152,6 @@ class Dilatation {
       for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
     } else if (kind == HexElement::kMeanDilatation) {
       // Q1P0: average J over the element's volume.
-      volume_ = 0;
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
         volume_ += shape.volume[q];
@@ -163,7 +161,6 @@ class Dilatation {
     } else if (kind == HexElement::kCentroidDilatation) {
       // F-bar: take J of the mean of F, which must be positive, too.
       point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
-      volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
       fits_ = centre_.J[0] > 0;
       if (fits_) at_.fill(volumetric_response(K, centre_.J[0]));
@@ -182,18 +179,14 @@ class Dilatation {
   /// Returns the pressure that acts with J at a Gauss point [Pa].
   [[nodiscard]] double pressure(std::size_t q) const {
     if (kind_ == HexElement::kCentroidDilatation) return 0;
-    return kind_ == HexElement::kQuadratic
-               ? shape_.modes.row(static_cast<Eigen::Index>(q)).dot(pressure_)
-               : at_[q].pressure;
+    return kind_ == HexElement::kQuadratic ? shape_.modes.row(q).dot(pressure_) : at_[q].pressure;
   }
   /// Returns the pressure in the stiffness at a Gauss point [Pa].
   [[nodiscard]] double tangent_pressure(std::size_t q) const {
     if (tangent_ == nullptr || kind_ == HexElement::kDisplacement ||
         kind_ == HexElement::kCentroidDilatation)
       return pressure(q);
-    return kind_ == HexElement::kQuadratic
-               ? shape_.modes.row(static_cast<Eigen::Index>(q)).dot(*tangent_)
-               : (*tangent_)[0];
+    return kind_ == HexElement::kQuadratic ? shape_.modes.row(q).dot(*tangent_) : (*tangent_)[0];
   }
   /// Returns the pressure after a displacement increment du, linearized [Pa] (4).
   [[nodiscard]] Eigen::Vector4d linear_pressure(const PointKinematics& points,
@@ -205,8 +198,7 @@ class Dilatation {
     const int count = centre ? kCentre : kPoints;
     const double* g = centre ? centre_.g : points.g;
     for (int i = 0; i < 3 * N; ++i)
-      for (int q = 0; q < count; ++q)
-        divergence[static_cast<std::size_t>(q)] += g[i * count + q] * du[i];
+      for (int q = 0; q < count; ++q) divergence[q] += g[i * count + q] * du[i];
     if (kind_ == HexElement::kCentroidDilatation) {
       // F-bar: linearize the pressure at the centre.
       out[0] = at_[0].pressure + at_[0].stiffness * centre_.J[0] * divergence[0];
@@ -219,11 +211,10 @@ class Dilatation {
       // Q2P1: project dJ on the modes, then the pressure.
       Eigen::Vector4d mean(0, 0, 0, 0), p(0, 0, 0, 0);
       for (std::size_t q = 0; q < N; ++q)
-        mean += shape_.volume[q] * points.J[q] * divergence[q] *
-                shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
+        mean += shape_.volume[q] * points.J[q] * divergence[q] * shape_.modes.row(q).transpose();
       const Eigen::Vector4d theta = shape_.modes_inverse * mean;
       for (std::size_t q = 0; q < N; ++q) {
-        const Eigen::Vector4d mode = shape_.modes.row(static_cast<Eigen::Index>(q));
+        const Eigen::Vector4d mode = shape_.modes.row(q);
         p += shape_.volume[q] * (at_[q].pressure + at_[q].stiffness * mode.dot(theta)) * mode;
       }
       out = shape_.modes_inverse * p;
@@ -285,20 +276,18 @@ class Dilatation {
     // Project the dilatation.
     Eigen::Vector4d mean(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q)
-      mean += shape_.volume[q] * points.J[q] *
-              shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
+      mean += shape_.volume[q] * points.J[q] * shape_.modes.row(q).transpose();
     const Eigen::Vector4d theta = shape_.modes_inverse * mean;
     // Project the pressure U'(J); J must be positive at all points.
     Eigen::Vector4d p(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q) {
-      const double J = shape_.modes.row(static_cast<Eigen::Index>(q)).dot(theta);
+      const double J = shape_.modes.row(q).dot(theta);
       if (!(J > 0)) {
         fits_ = false;
         return;
       }
       at_[q] = volumetric_response(bulk, J);
-      p += shape_.volume[q] * at_[q].pressure *
-           shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
+      p += shape_.volume[q] * at_[q].pressure * shape_.modes.row(q).transpose();
     }
     pressure_ = shape_.modes_inverse * p;
   }
@@ -309,7 +298,7 @@ class Dilatation {
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 3 * N, 4> B = Eigen::Matrix<double, 3 * N, 4>::Zero();
     for (std::size_t q = 0; q < N; ++q) {
-      const Eigen::Vector4d mode = shape_.modes.row(static_cast<Eigen::Index>(q));
+      const Eigen::Vector4d mode = shape_.modes.row(q);
       H += shape_.volume[q] * at_[q].stiffness * mode * mode.transpose();
       const Eigen::Vector4d weighted = shape_.volume[q] * points.J[q] * mode;
       for (int i = 0; i < 3 * N; ++i)
@@ -434,7 +423,7 @@ ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
   for (int q = 0; q < table.points; ++q) {
     const double det = map_slopes(table.slope.data() + q * 3 * table.nodes, X, shape.gradient);
     require(det > 0, "an element folds onto itself at Gauss point {}: {:g} m^3", q, det);
-    shape.volume.push_back(table.weight[static_cast<std::size_t>(q)] * det);
+    shape.volume.push_back(table.weight[q] * det);
   }
   // Convert to the layout for sums over four points at a time.
   shape.gradient = side_by_side(shape.gradient, table.points, table.nodes);
@@ -446,8 +435,7 @@ ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
   if (kind == HexElement::kQuadratic) {
     // Q2P1: compute the modes 1, xi, eta, zeta, and the inverse of their Gram matrix.
     shape.modes.resize(table.points, 4);
-    for (int q = 0; q < table.points; ++q)
-      shape.modes.row(q) << 1, table.xi[static_cast<std::size_t>(q)].transpose();
+    for (int q = 0; q < table.points; ++q) shape.modes.row(q) << 1, table.xi[q].transpose();
     const Eigen::Map<const Eigen::VectorXd> w(shape.volume.data(), table.points);
     shape.modes_inverse = (shape.modes.transpose() * w.asDiagonal() * shape.modes).inverse();
   }

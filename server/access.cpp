@@ -8,6 +8,7 @@
 #include <sys/random.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -25,9 +26,8 @@ bool is_everywhere(const std::string& address) { return address == "0.0.0.0" || 
 /// text in brackets.
 bool is_numeric(const std::string& name) {
   if (name.size() > 2 && name.front() == '[' && name.back() == ']') return true;
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isdigit(c) != 0 || c == '.';
-  });
+  return !name.empty() &&
+         all_of(name, [](unsigned char c) { return std::isdigit(c) != 0 || c == '.'; });
 }
 
 /// Removes the port of a host: "[::1]:80" becomes "[::1]".
@@ -52,10 +52,10 @@ void require_safe(const ServerAccess& access) {
   if (access.token.empty()) return;
   require(access.token.size() >= kMinTokenLength, "--token: wanted at least {} characters, got {}",
           kMinTokenLength, access.token.size());
-  require(std::all_of(access.token.begin(), access.token.end(),
-                      [](unsigned char c) {
-                        return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '_';
-                      }),
+  require(all_of(access.token,
+                 [](unsigned char c) {
+                   return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '_';
+                 }),
           "--token: wanted letters, digits, '-' and '_' alone");
 }
 

@@ -3,7 +3,6 @@
 /// Writing of numbers as little-endian bytes, the order that browsers read.
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <type_traits>
 

@@ -89,14 +89,15 @@ void Engine::receive(int client, std::string message) {
   for (const char* method : {kHello, kStatus}) {
     const auto request = short_request(message, method);
     if (!request || has_waiting_requests(client)) continue;
-    const auto to = client_of(client);
-    if (to == nullptr) return;
-    return to->reply(request->notification
-                         ? ""
-                         : json_text(rpc_reply(request->id, answer_at_once(*request)), -1));
+    return send_reply(client, *request, answer_at_once(*request));
   }
   // Queue all other messages.
   enqueue(client, [this, client, message = std::move(message)] { answer(client, message); });
+}
+
+void Engine::send_reply(int client, const RpcRequest& request, const RpcAnswer& answer) {
+  if (const auto to = client_of(client))
+    to->reply(request.notification ? "" : json_text(rpc_reply(request.id, answer), -1));
 }
 
 void Engine::stop_running(int client, const RpcRequest& request) {
@@ -107,10 +108,7 @@ void Engine::stop_running(int client, const RpcRequest& request) {
     asked = running_client_ >= 0;
     if (asked) stop_ = true;
   }
-  const auto to = client_of(client);
-  if (to == nullptr) return;
-  RpcAnswer answer{{{"asked", asked}}, request.failure};
-  to->reply(request.notification ? "" : json_text(rpc_reply(request.id, answer), -1));
+  send_reply(client, request, {{{"asked", asked}}, request.failure});
 }
 
 bool Engine::has_waiting_requests(int client) {
@@ -365,9 +363,7 @@ void Engine::report_error(const std::string& text) {
 
 EngineClients Engine::clients() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  EngineClients all;
-  for (const auto& [number, client] : clients_) all.push_back(client);
-  return all;
+  return transformed(clients_, [](const auto& each) { return each.second; });
 }
 
 std::shared_ptr<EngineClient> Engine::client_of(int client) {

@@ -76,6 +76,7 @@ class Engine {
   void answer(int client, const std::string& message);
   RpcAnswer execute_and_log(int client, const RpcRequest& request, const Progress& progress);
   [[nodiscard]] Progress progress_of(int client, const Json& id);
+  void send_reply(int client, const RpcRequest& request, const RpcAnswer& answer);
   void stop_running(int client, const RpcRequest& request);
   [[nodiscard]] bool has_waiting_requests(int client);
   [[nodiscard]] RpcAnswer answer_at_once(const RpcRequest& request);

@@ -5,15 +5,13 @@
 #include <deque>
 #include <list>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 #include <boost/asio.hpp>
-#include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "server/lines.h"
+#include "server/listener.h"
 #include "server/peer_set.h"
 #include "server/rpc.h"
 
@@ -32,10 +30,9 @@ constexpr std::size_t kMaxUnsentBytes = 64UL << 20U;     // replies that are not
 constexpr std::size_t kMaxTotalPendingBytes = 32UL << 20U;  // requests without a reply [bytes]
 constexpr std::size_t kMaxTotalUnsentBytes = 128UL << 20U;  // replies that are not sent [bytes]
 // Limits of strangers: connections that have not sent a valid first line.
-constexpr std::size_t kMaxStrangers = 64;               // strangers, also without a token
-constexpr std::size_t kMaxGreetingBytes = 4096;         // length of the first line [bytes]
-constexpr std::chrono::seconds kGreetingTime{10};       // time until the token must arrive
-constexpr std::chrono::milliseconds kClosingTime{300};  // time for pending replies at the end
+constexpr std::size_t kMaxStrangers = 64;          // strangers, also without a token
+constexpr std::size_t kMaxGreetingBytes = 4096;    // length of the first line [bytes]
+constexpr std::chrono::seconds kGreetingTime{10};  // time until the token must arrive
 
 const std::string kGreetingError = "wanted session.hello with the token first";
 
@@ -50,7 +47,7 @@ struct LineNet {
   Engine& engine;
   ServerAccess access;
   net::io_context context{1};
-  PeerSet<LineClient> clients;
+  PeerSet<LineClient> peers;
   std::list<LineClient*> strangers;  // the oldest first; each takes itself out
   std::size_t pending = 0;           // requests of all clients without a reply [bytes]
   std::size_t unsent = 0;            // unsent replies of all clients [bytes]
@@ -64,7 +61,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
       : net_(std::move(shared)), socket_(std::move(socket)), greeting_timer_(net_->context) {}
   ~LineClient() override {
     leave_strangers();
-    net_->clients.remove(this);
+    net_->peers.remove(this);
   }
   LineClient(const LineClient&) = delete;
   LineClient& operator=(const LineClient&) = delete;
@@ -236,7 +233,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   /// Closes the connection with the most unsent replies.
   void drop_slowest() {
     std::shared_ptr<LineClient> slowest;
-    for (const auto& client : net_->clients.connected())
+    for (const auto& client : net_->peers.connected())
       if (slowest == nullptr || client->unsent() > slowest->unsent()) slowest = client;
     if (slowest != nullptr) slowest->drop();
   }
@@ -292,71 +289,12 @@ std::string too_long_reply() {
   return json_text(rpc_reply(nullptr, {{}, failure}), -1);
 }
 
-class LineServer::Network {
+class LineServer::Network : public ConnectionListener<LineNet, LineClient> {
  public:
   Network(Engine& engine, const ServerAccess& access)
-      : net_(std::make_shared<LineNet>(engine, access)),
-        acceptor_(net_->context),
-        retry_timer_(net_->context) {
-    try {
-      const tcp::endpoint end(net::ip::make_address(access.address),
-                              static_cast<unsigned short>(access.port));
-      acceptor_.open(end.protocol());
-      acceptor_.set_option(net::socket_base::reuse_address(true));
-      acceptor_.bind(end);
-      acceptor_.listen();
-      port_ = acceptor_.local_endpoint().port();
-    } catch (const boost::system::system_error& error) {
-      throw InputError(fmt::format("cannot listen at {}, port {}: {}; port 0 takes a free one",
-                                   access.address, access.port, error.code().message()));
-    }
-    accept();
-    thread_ = std::thread([this] { net_->context.run(); });
+      : ConnectionListener(std::make_shared<LineNet>(engine, access), access, "port 0") {
+    start();
   }
-
-  ~Network() {
-    net::steady_timer deadline(net_->context);
-    net::post(net_->context, [&] {
-      boost::system::error_code ignored;
-      acceptor_.close(ignored);
-      retry_timer_.cancel();
-      for (const auto& client : net_->clients.connected()) client->finish();
-      deadline.expires_after(kClosingTime);
-      deadline.async_wait([this](boost::system::error_code) {
-        for (const auto& client : net_->clients.connected()) client->drop();
-      });
-    });
-    thread_.join();
-  }
-
-  Network(const Network&) = delete;
-  Network& operator=(const Network&) = delete;
-
-  [[nodiscard]] int port() const { return port_; }
-
- private:
-  void accept() {
-    acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
-      if (!acceptor_.is_open()) return;
-      if (!error) {
-        const auto client = std::make_shared<LineClient>(std::move(socket), net_);
-        net_->clients.add(client);
-        client->begin();
-        return accept();
-      }
-      // Accepting fails if no file descriptor is left: try again later.
-      retry_timer_.expires_after(std::chrono::milliseconds(50));
-      retry_timer_.async_wait([this](boost::system::error_code stopped) {
-        if (!stopped) accept();
-      });
-    });
-  }
-
-  std::shared_ptr<LineNet> net_;
-  tcp::acceptor acceptor_;
-  net::steady_timer retry_timer_;
-  int port_ = 0;
-  std::thread thread_;
 };
 
 LineServer::LineServer(Engine& engine, const ServerAccess& access)

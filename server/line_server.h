@@ -6,7 +6,6 @@
 /// whose first character is not '{', '[' or white space is closed, so that pages of a browser and
 /// clients of other protocols are refused.
 
-#include <functional>
 #include <memory>
 
 #include "server/access.h"

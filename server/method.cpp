@@ -1,6 +1,5 @@
 #include "server/method.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +7,6 @@
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/name_hint.h"
-#include "base/nearest_name.h"
 
 namespace thenar {
 

@@ -2,7 +2,6 @@
 
 /// Set of the live connections of a server; thread-safe.
 
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,10 +28,6 @@ class PeerSet {
     for (const auto& [key, peer] : peers_)
       if (auto there = peer.lock()) found.push_back(std::move(there));
     return found;
-  }
-  [[nodiscard]] std::size_t size() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return peers_.size();
   }
 
  private:

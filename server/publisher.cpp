@@ -16,10 +16,6 @@ constexpr std::chrono::microseconds kFrameInterval{16'667};  // shortest time be
 constexpr std::chrono::milliseconds kTimeInterval{100};  // between states that differ in time only
 constexpr auto kNever = Publisher::Clock::time_point::max();
 
-bool is_watched(const EngineClients& clients) {
-  return any_of(clients, [](const auto& client) { return client->is_watching(); });
-}
-
 /// Returns a state without the time of the motion, which changes at every step.
 OrderedJson timeless(OrderedJson state) {
   if (state.is_object() && state["motion"].is_object()) state["motion"]["t"] = nullptr;
@@ -40,7 +36,7 @@ void Publisher::request_full_update() {
 }
 
 Publisher::Clock::time_point Publisher::publish(Session& session, const EngineClients& clients) {
-  if (!is_watched(clients)) return kNever;
+  if (!any_of(clients, [](const auto& client) { return client->is_watching(); })) return kNever;
   // Find out whether the picture has changed.
   const LiveModel* model = session.shown_model();
   const bool moved = model != nullptr && model->changes() != changes_;

@@ -3,7 +3,6 @@
 /// Reproducible execution of requests, and replay of a log.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"

@@ -150,9 +150,7 @@ OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer) {
 
 OrderedJson status_json(const std::string& method, double seconds, double fraction,
                         const std::string& text, std::size_t waiting) {
-  OrderedJson runs;
-  if (!method.empty()) runs = method;
-  return {{"runs", runs},
+  return {{"runs", method.empty() ? OrderedJson() : OrderedJson(method)},
           {"seconds", seconds},
           {"fraction", number_or_null(fraction)},
           {"text", text},

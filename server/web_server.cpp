@@ -4,7 +4,6 @@
 #include <deque>
 #include <list>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "base/error.h"
+#include "server/listener.h"
 #include "server/peer_set.h"
 #include "server/web_pages.h"
 
@@ -38,7 +37,6 @@ constexpr std::size_t kMaxTotalUnsentReplies = 128UL << 20U;  // replies that ar
 constexpr std::size_t kMaxFileConnections = 64;               // HTTP connections
 constexpr std::chrono::seconds kLongMessageTime{60};          // time for a long message to arrive
 constexpr std::chrono::seconds kRequestTime{10};              // time for an HTTP request to arrive
-constexpr std::chrono::milliseconds kFinishTime{300};         // time for pending texts at the end
 constexpr std::size_t kFirstBytes = 1024;  // bytes in which an HTTP method must be found
 
 using Request = http::request<http::string_body>;
@@ -418,74 +416,20 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
 class WebServer::Network {
  public:
   Network(Engine& engine, const ServerAccess& access)
-      : web_(std::make_shared<Web>(engine, access)),
-        acceptor_(web_->context),
-        retry_timer_(web_->context) {
-    try {
-      const tcp::endpoint end(asio::ip::make_address(access.address),
-                              static_cast<unsigned short>(access.port));
-      acceptor_.open(end.protocol());
-      acceptor_.set_option(asio::socket_base::reuse_address(true));
-      acceptor_.bind(end);
-      acceptor_.listen();
-      web_->port = acceptor_.local_endpoint().port();
-    } catch (const boost::system::system_error& error) {
-      throw InputError(fmt::format("cannot listen at {}, port {}: {}; --port 0 takes a free one",
-                                   access.address, access.port, error.code().message()));
-    }
+      : web_(std::make_shared<Web>(engine, access)), listener_(web_, access, "--port 0") {
+    web_->port = listener_.port();
     opening_target_ = access.token.empty() ? "/" : "/?once=" + random_token();
     if (!access.token.empty()) web_->one_time_target = opening_target_;
-    accept();
-    thread_ = std::thread([this] { web_->context.run(); });
+    listener_.start();
   }
-
-  ~Network() {
-    asio::steady_timer deadline(web_->context);
-    asio::post(web_->context, [&] {
-      beast::error_code ignored;
-      acceptor_.close(ignored);
-      retry_timer_.cancel();
-      for (const auto& peer : web_->peers.connected()) peer->finish();
-      // Close the remaining connections after a while; then the thread ends.
-      deadline.expires_after(kFinishTime);
-      deadline.async_wait([this](beast::error_code) { drop_all(); });
-    });
-    thread_.join();
-  }
-
-  Network(const Network&) = delete;
-  Network& operator=(const Network&) = delete;
 
   [[nodiscard]] int port() const { return web_->port; }
   [[nodiscard]] const std::string& opening_target() const { return opening_target_; }
 
  private:
-  void drop_all() {
-    for (const auto& peer : web_->peers.connected()) peer->drop();
-  }
-
-  void accept() {
-    acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-      if (!acceptor_.is_open()) return;
-      if (!error) {
-        const auto connection = std::make_shared<WebConnection>(std::move(socket), web_);
-        web_->peers.add(connection);
-        connection->begin();
-      }
-      if (!error) return accept();
-      // Accepting fails if no file descriptor is left: try again later.
-      retry_timer_.expires_after(std::chrono::milliseconds(50));
-      retry_timer_.async_wait([this](beast::error_code stopped) {
-        if (!stopped) accept();
-      });
-    });
-  }
-
   std::shared_ptr<Web> web_;
   std::string opening_target_;
-  tcp::acceptor acceptor_;
-  asio::steady_timer retry_timer_;
-  std::thread thread_;
+  ConnectionListener<Web, WebConnection> listener_;
 };
 
 WebServer::WebServer(Engine& engine, const ServerAccess& access)

@@ -83,9 +83,8 @@ ArrowMatrix::ArrowMatrix(const ArrowLayout& arrow)
 
 MatrixXd ArrowMatrix::block_entries(int block) const {
   if (block < 0 || layout.own == 0) return shared;
-  const auto b = static_cast<std::size_t>(block);
   MatrixXd all(layout.shared + layout.own, layout.shared + layout.own);
-  all << shared, cross[b].transpose(), cross[b], own[b];
+  all << shared, cross[block].transpose(), cross[block], own[block];
   return all;
 }
 
@@ -169,12 +168,11 @@ MatrixXd ArrowFactor::inverse() const {
   C.topLeftCorner(layout_.shared, layout_.shared) = blocks.shared;
   for (int b = 0; b < layout_.blocks; ++b) {
     const Index at = layout_.first_index(b), p = layout_.shared, d = layout_.own;
-    const auto i = static_cast<std::size_t>(b);
-    C.block(at, 0, d, p) = blocks.cross[i];
-    C.block(0, at, p, d) = blocks.cross[i].transpose();
+    C.block(at, 0, d, p) = blocks.cross[b];
+    C.block(0, at, p, d) = blocks.cross[b].transpose();
     // Covariance with other blocks through the shared coordinates.
-    const MatrixXd response = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
-    C.block(at, at, d, d) = blocks.own[i];
+    const MatrixXd response = blocks_[b].R.triangularView<Eigen::Upper>().solve(blocks_[b].S);
+    C.block(at, at, d, d) = blocks.own[b];
     for (int other = 0; other < b; ++other) {
       const Index to = layout_.first_index(other);
       C.block(at, to, d, d) = -response * C.block(0, to, p, d);

@@ -31,9 +31,6 @@ int position_in_simplex(int i, int j) {
   return i % 2 == 1 && place < 2 ? 1 - place : place;
 }
 
-/// Converts to an index of a vector.
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Hull::Hull(const std::array<HullPoint, 7>& simplex)
@@ -49,15 +46,15 @@ Hull::Hull(const std::array<HullPoint, 7>& simplex)
   // without j.
   for (int i = 0; i < 7; ++i) (void)new_facet();
   for (int i = 0; i < 7; ++i) {
-    Links& links = links_[index(i)];
+    Links& links = links_[i];
     for (int j = 0; j < 7; ++j) {
       if (j == i) continue;
-      const std::size_t place = index(position_in_simplex(i, j));
+      const int place = position_in_simplex(i, j);
       links.vertex[place] = links.neighbour[place] = j;
       links.back[place] = static_cast<std::int8_t>(position_in_simplex(j, i));
     }
-    planes_[index(i)] = solve(links);
-    error_ = std::max(error_, planes_[index(i)].error);
+    planes_[i] = solve(links);
+    error_ = std::max(error_, planes_[i].error);
     queue(i);
   }
 }
@@ -73,16 +70,16 @@ int Hull::new_facet() {
     facet = free_.back();
     free_.pop_back();
   }
-  links_[index(facet)].serial = ++last_serial_;
-  links_[index(facet)].insertion = insertion_;
-  links_[index(facet)].s = 0;
+  links_[facet].serial = ++last_serial_;
+  links_[facet].insertion = insertion_;
+  links_[facet].s = 0;
   return facet;
 }
 
 void Hull::queue(int facet) {
-  const double d = planes_[index(facet)].d;
+  const double d = planes_[facet].d;
   if (d >= offset_limit_) return;
-  queue_.push_back({d, facet, links_[index(facet)].serial});
+  queue_.push_back({d, facet, links_[facet].serial});
   std::push_heap(queue_.begin(), queue_.end(),
                  [](const Queued& a, const Queued& b) { return a.d > b.d; });
 }
@@ -93,7 +90,7 @@ int Hull::pop_nearest() {
                   [](const Queued& a, const Queued& b) { return a.d > b.d; });
     const Queued next = queue_.back();
     queue_.pop_back();
-    if (links_[index(next.facet)].serial != next.serial) continue;
+    if (links_[next.facet].serial != next.serial) continue;
     if (next.d < offset_limit_) return next.facet;
     queue_.clear();  // all others are farther away
   }
@@ -116,7 +113,7 @@ bool Hull::insert(const HullPoint& p, int facet) {
   // Add a new facet over every ridge of the horizon, and free the visible ones.
   for (const Ridge& ridge : horizon_) match_ridges(add_facet(ridge, point), ridge.place);
   for (const int facet_to_free : visible_) {
-    links_[index(facet_to_free)].serial = 0;
+    links_[facet_to_free].serial = 0;
     free_.push_back(facet_to_free);
     --facet_count_;
   }
@@ -129,10 +126,10 @@ void Hull::find_visible(const HullPoint& p, int facet) {
   horizon_.clear();
   // Computes the signed distance of each facet once per insertion.
   const auto is_visible = [&](int f) {
-    Links& links = links_[index(f)];
+    Links& links = links_[f];
     if (links.insertion == insertion_) return links.s > 0;
     links.insertion = insertion_;
-    const Plane& plane = planes_[index(f)];
+    const Plane& plane = planes_[f];
     const double s = plane.n.dot(p) - plane.d;
     links.s = s > plane.error + kPlaneRounding * size_ ? s : std::min(s, 0.0);
     if (links.s > 0) visible_.push_back(f);
@@ -144,29 +141,28 @@ void Hull::find_visible(const HullPoint& p, int facet) {
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int f = visible_[k];
     for (int i = 0; i < 6; ++i)
-      if (!is_visible(links_[index(f)].neighbour[index(i)])) horizon_.push_back({f, i});
+      if (!is_visible(links_[f].neighbour[i])) horizon_.push_back({f, i});
   }
 }
 
 int Hull::add_facet(const Ridge& ridge, int point) {
   const int facet = new_facet();
-  Links& links = links_[index(facet)];
-  const Links& seen = links_[index(ridge.facet)];
-  const std::size_t place = index(ridge.place);
+  Links& links = links_[facet];
+  const Links& seen = links_[ridge.facet];
+  const int place = ridge.place;
   const int across = seen.neighbour[place];
-  Links& hidden = links_[index(across)];
+  Links& hidden = links_[across];
 
   // Replace the visible facet at the ridge.
   links.vertex = seen.vertex;
   links.vertex[place] = point;
   links.neighbour[place] = across;
   links.back[place] = seen.back[place];
-  hidden.neighbour[index(seen.back[place])] = facet;
-  hidden.back[index(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
+  hidden.neighbour[seen.back[place]] = facet;
+  hidden.back[seen.back[place]] = static_cast<std::int8_t>(ridge.place);
 
   // Its plane is in the pencil of both planes.
-  planes_[index(facet)] =
-      pencil_plane(seen, planes_[index(ridge.facet)], hidden, planes_[index(across)]);
+  planes_[facet] = pencil_plane(seen, planes_[ridge.facet], hidden, planes_[across]);
   check_plane(facet);
   queue(facet);
   return facet;
@@ -185,8 +181,8 @@ Hull::Plane Hull::pencil_plane(const Links& seen, const Plane& a, const Links& h
 }
 
 void Hull::check_plane(int facet) {
-  Plane& plane = planes_[index(facet)];
-  const Links& links = links_[index(facet)];
+  Plane& plane = planes_[facet];
+  const Links& links = links_[facet];
   // If the error bound is large, compute the residual and, if necessary, solve for the plane.
   if (!(plane.error <= kErrorToCheck * size_)) {
     plane.error = residual(plane, links);
@@ -201,7 +197,7 @@ void Hull::check_plane(int facet) {
 double Hull::residual(const Plane& plane, const Links& links) const {
   double worst = 0;
   for (const int v : links.vertex)
-    worst = std::max(worst, std::abs(plane.n.dot(points_[index(v)]) - plane.d));
+    worst = std::max(worst, std::abs(plane.n.dot(points_[v]) - plane.d));
   return std::isfinite(plane.d) ? worst + kPlaneRounding * size_
                                 : std::numeric_limits<double>::infinity();
 }
@@ -209,8 +205,8 @@ double Hull::residual(const Plane& plane, const Links& links) const {
 Hull::Plane Hull::solve(const Links& links) const {
   // Find the normal to five edges by QR.
   Eigen::Matrix<double, 6, 5> edges;
-  const HullPoint& origin = points_[index(links.vertex[5])];
-  for (int i = 0; i < 5; ++i) edges.col(i) = points_[index(links.vertex[index(i)])] - origin;
+  const HullPoint& origin = points_[links.vertex[5]];
+  for (int i = 0; i < 5; ++i) edges.col(i) = points_[links.vertex[i]] - origin;
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 5>> qr(edges);
   const Eigen::Matrix<double, 6, 6> Q = qr.householderQ();
   Plane plane{Q.col(5), Q.col(5).dot(origin), 0};
@@ -220,13 +216,13 @@ Hull::Plane Hull::solve(const Links& links) const {
 }
 
 void Hull::match_ridges(int facet, int place_of_point) {
-  const Links& links = links_[index(facet)];
+  const Links& links = links_[facet];
   // Each ridge of the new facet meets one of another new facet with the same five vertices.
   std::uint64_t sum = 0;
-  for (const int v : links.vertex) sum += codes_[index(v)];
+  for (const int v : links.vertex) sum += codes_[v];
   for (int i = 0; i < 6; ++i)
     if (i != place_of_point)
-      match_ridge(facet, static_cast<std::int8_t>(i), sum - codes_[index(links.vertex[index(i)])]);
+      match_ridge(facet, static_cast<std::int8_t>(i), sum - codes_[links.vertex[i]]);
 }
 
 void Hull::match_ridge(int facet, std::int8_t place, std::uint64_t key) {
@@ -239,10 +235,10 @@ void Hull::match_ridge(int facet, std::int8_t place, std::uint64_t key) {
       return;
     }
     if (slot.key != key || slot.facet < 0) continue;
-    links_[index(facet)].neighbour[index(place)] = slot.facet;
-    links_[index(facet)].back[index(place)] = slot.place;
-    links_[index(slot.facet)].neighbour[index(slot.place)] = facet;
-    links_[index(slot.facet)].back[index(slot.place)] = place;
+    links_[facet].neighbour[place] = slot.facet;
+    links_[facet].back[place] = slot.place;
+    links_[slot.facet].neighbour[slot.place] = facet;
+    links_[slot.facet].back[slot.place] = place;
     slot.facet = -1;
     return;
   }
@@ -260,7 +256,7 @@ double Hull::volume() const {
   for (const Links& links : links_) {
     if (links.serial == 0) continue;
     Eigen::Matrix<double, 6, 6> edges;
-    for (int i = 0; i < 6; ++i) edges.col(i) = points_[index(links.vertex[index(i)])] - inside_;
+    for (int i = 0; i < 6; ++i) edges.col(i) = points_[links.vertex[i]] - inside_;
     sum += edges.determinant();
   }
   return std::abs(sum) / 720;  // 6!; all facets have the same orientation

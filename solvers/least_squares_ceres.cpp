@@ -67,10 +67,6 @@ Status status_of(const ceres::Solver::Summary& summary) {
   return summary.termination_type == ceres::USER_SUCCESS ? Status::kStopped : Status::kStalled;
 }
 
-}  // namespace
-
-namespace {
-
 /// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
 void set_bounds(const LeastSquares& problem, int first, int count, double* z,
                 ceres::Problem& ceres) {

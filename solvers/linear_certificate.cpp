@@ -103,9 +103,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
 LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& point) {
   LinearCertificate certificate{0, 0, 0};
   const VectorXd &x = point.x, &y = point.duals;
-  if (!x.allFinite() || !y.allFinite()) {
-    return {kNaN, kNaN, kNaN};
-  }
+  if (!x.allFinite() || !y.allFinite()) return {kNaN, kNaN, kNaN};
   const auto record_violation = [&](double value) {
     certificate.violation = max_or_nan(certificate.violation, value);
   };

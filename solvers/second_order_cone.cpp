@@ -59,6 +59,16 @@ double step_in_cone(const VectorXd& u, const VectorXd& d) {
   return std::min(to_side, -u(0) / d(0));  // rounding may hide the exit through the tip
 }
 
+MatrixXd times_blocks(const std::vector<MatrixXd>& blocks, const MatrixXd& right) {
+  MatrixXd result(right.rows(), right.cols());
+  Eigen::Index i = 0;
+  for (const MatrixXd& block : blocks) {
+    result.middleRows(i, block.rows()) = block * right.middleRows(i, block.rows());
+    i += block.rows();
+  }
+  return result;
+}
+
 }  // namespace
 
 VectorXd cone_product(const std::vector<int>& cones, const VectorXd& u, const VectorXd& v) {
@@ -112,20 +122,6 @@ ConeScaling::ConeScaling(const std::vector<int>& cones, const VectorXd& s, const
     inverses_.emplace_back(boost(w0, -w1) / eta);
   });
 }
-
-namespace {
-
-MatrixXd times_blocks(const std::vector<MatrixXd>& blocks, const MatrixXd& right) {
-  MatrixXd result(right.rows(), right.cols());
-  Eigen::Index i = 0;
-  for (const MatrixXd& block : blocks) {
-    result.middleRows(i, block.rows()) = block * right.middleRows(i, block.rows());
-    i += block.rows();
-  }
-  return result;
-}
-
-}  // namespace
 
 MatrixXd ConeScaling::times(const MatrixXd& right) const { return times_blocks(blocks_, right); }
 MatrixXd ConeScaling::divide(const MatrixXd& right) const { return times_blocks(inverses_, right); }

@@ -94,35 +94,35 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Evaluates the right-hand side for CVODE. No exception may propagate through its C code.
-  static int evaluate_slope(double t, N_Vector y, N_Vector y_dot, void* user) {
+  /// Evaluates a function at y for CVODE. No exception may propagate through its C code.
+  /// @param evaluate  returns whether the result is finite
+  template <typename Evaluate>
+  static int guarded(void* user, N_Vector y, const Evaluate& evaluate) {
     auto& parts = *static_cast<Parts*>(user);
     try {
       const Eigen::VectorXd at = values(y);
-      if (!at.allFinite()) return 1;
-      values(y_dot) = parts.slope(t, at);
-      return values(y_dot).allFinite() ? 0 : 1;  // 1: try a shorter step
+      return at.allFinite() && evaluate(parts, at) ? 0 : 1;  // 1: try a shorter step
     } catch (...) {
       parts.thrown = std::current_exception();
       return -1;
     }
   }
 
-  /// Evaluates the Jacobian for CVODE; exceptions are handled as in call().
+  static int evaluate_slope(double t, N_Vector y, N_Vector y_dot, void* user) {
+    return guarded(user, y, [&](const Parts& parts, const Eigen::VectorXd& at) {
+      values(y_dot) = parts.slope(t, at);
+      return values(y_dot).allFinite();
+    });
+  }
+
   // NOLINTNEXTLINE(readability-function-size): the signature is CVODE's
   static int evaluate_jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector,
                                N_Vector, N_Vector) {
-    auto& parts = *static_cast<Parts*>(user);
-    try {
-      const Eigen::VectorXd at = values(y);
+    return guarded(user, y, [&](const Parts& parts, const Eigen::VectorXd& at) {
       Eigen::Map<Eigen::MatrixXd> out(SUNDenseMatrix_Data(J), at.size(), at.size());
-      if (!at.allFinite()) return 1;
       out = parts.jacobian(t, at);
-      return out.allFinite() ? 0 : 1;
-    } catch (...) {
-      parts.thrown = std::current_exception();
-      return -1;
-    }
+      return out.allFinite();
+    });
   }
 
   [[nodiscard]] OdeCounts counts() const {

@@ -1,7 +1,5 @@
 #include "pads/motion/bed_pad.h"
 
-#include <cmath>
-
 #include "base/error.h"
 
 namespace thenar {
@@ -59,7 +57,7 @@ double BedPad::energy() const {
   // Add the energy of the tangential springs, f^2 / (2 G A / h) each.
   const FoundationColumns& columns = bed_->columns();
   for (Eigen::Index i = 0; i < columns.area.size() && bed_->constants().shear > 0; ++i)
-    if (kept_.bed.touching[static_cast<std::size_t>(i)])
+    if (kept_.bed.touching[i])
       out += 0.5 * kept_.bed.shear.col(i).squaredNorm() * columns.thickness[i] /
              (bed_->constants().shear * columns.area[i]);
   return out;

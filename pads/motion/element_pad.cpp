@@ -1,7 +1,6 @@
 #include "pads/motion/element_pad.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/error.h"

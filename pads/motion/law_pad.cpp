@@ -42,13 +42,12 @@ void reduce_friction(double patch, std::size_t first, std::size_t end, double& s
   spring = patch;
 }
 
-/// Returns the stiffness at which a changed force stores the energy of the force before,
+/// Sets the stiffness at which a changed force stores the energy of the force before,
 /// f^2 / (2 spring), plus the work of its change c on a patch,  (f . c + c^2 / 2) / patch.
-double energy_stiffness(const Vector3d& force, const Vector3d& change, double patch,
-                        double spring) {
+void set_spring(const Vector3d& force, const Vector3d& change, double patch, double& spring) {
   const double before = spring > 0 ? force.squaredNorm() / spring : 0;
   const double energy = before + (2 * force.dot(change) + change.squaredNorm()) / patch;
-  return patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
+  spring = patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
 }
 
 }  // namespace
@@ -156,15 +155,11 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
     stretch << stiffness * (way - normal * normal.dot(way)),
         twisted * turn.angle() * turn.axis().dot(normal);
   for (int k = 0; k < 4; ++k) {
-    const ExponentialMemory& memory = moved_.friction[static_cast<std::size_t>(k)];
+    const ExponentialMemory& memory = moved_.friction[k];
     past[k] = history_of(weights, memory);
     elastic[k] = memory.x + stretch[k];
   }
   // Update the stiffness that stores the friction's energy.
-  const auto set_spring = [&](const Vector3d& force, const Vector3d& change, double patch,
-                              double& spring) {
-    spring = energy_stiffness(force, change, patch, spring);
-  };
   const std::array<ExponentialMemory, 4>& before = moved_.friction;
   set_spring({before[0].x, before[1].x, before[2].x}, stretch.head<3>(), stiffness,
              moved_.spring[0]);
@@ -183,10 +178,7 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
     elastic = (trial - past) / weights.now;
   }
   // Advance the history with the elastic friction of the result.
-  for (std::size_t k = 0; k < 4; ++k) {
-    ExponentialMemory& memory = moved_.friction[k];
-    (void)remember(weights, elastic[static_cast<Eigen::Index>(k)], memory);
-  }
+  for (std::size_t k = 0; k < 4; ++k) (void)remember(weights, elastic[k], moved_.friction[k]);
   return trial;
 }
 

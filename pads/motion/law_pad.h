@@ -3,7 +3,6 @@
 /// Point contact law under a moving object: soft finger, power law.
 
 #include <array>
-#include <optional>
 
 #include "pad_laws/contact_law.h"
 #include "pads/motion/moving_pad.h"

@@ -7,8 +7,6 @@
 namespace thenar::internal {
 namespace {
 
-OrderedJson vector_json(const Eigen::Vector3d& v) { return OrderedJson(to_json(v)); }
-
 /// Returns the components of a force; null for those that were not measured.
 OrderedJson components_json(const Eigen::Vector3d& force, const PredictedTrial& trial) {
   OrderedJson list = OrderedJson::array();
@@ -21,18 +19,17 @@ OrderedJson trial_json(const LiveFit& fit, int index) {
   const LiveTrial& at = fit.trials()[index];
   const Experiment& experiment = fit.source().problem.experiments()[at.experiment];
   const PredictedTrial& trial = fit.predicted(index);
-  OrderedJson json{{"trial", index},
-                   {"experiment", experiment.name},
-                   {"specimen", experiment.specimen},
-                   {"posture", trial.posture},
-                   {"loads", trial.loads},
-                   {"tensions", experiment.trials[at.trial].tension}};
-  json["measured"] = components_json(trial.measured, trial);
-  json["predicted"] = components_json(trial.predicted, trial);
-  json["sd"] = components_json(trial.sd, trial);
-  json["residual"] = components_json(trial.predicted - trial.measured, trial);
-  json["direction_error"] = direction_error(trial);
-  return json;
+  return {{"trial", index},
+          {"experiment", experiment.name},
+          {"specimen", experiment.specimen},
+          {"posture", trial.posture},
+          {"loads", trial.loads},
+          {"tensions", experiment.trials[at.trial].tension},
+          {"measured", components_json(trial.measured, trial)},
+          {"predicted", components_json(trial.predicted, trial)},
+          {"sd", components_json(trial.sd, trial)},
+          {"residual", components_json(trial.predicted - trial.measured, trial)},
+          {"direction_error", direction_error(trial)}};
 }
 
 /// Returns a number with the interval that holds 90 % of the draws; for a fit, of length zero.
@@ -46,8 +43,8 @@ OrderedJson axes_json(const LiveFit& fit) {
   OrderedJson axes = OrderedJson::array();
   for (std::size_t i = 0; i < digit.model.tree.size(); ++i)
     axes.push_back({{"joint", digit.names.hinges[i]},
-                    {"direction", vector_json(digit.model.tree[i].direction)},
-                    {"point", vector_json(digit.model.tree[i].point)}});
+                    {"direction", to_json(digit.model.tree[i].direction)},
+                    {"point", to_json(digit.model.tree[i].point)}});
   return axes;
 }
 

@@ -39,13 +39,12 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   for (const HandJoint& joint : hand.built->joints) slides[joint.coordinate] = joint.slides;
   OrderedJson list = OrderedJson::array();
   for (std::size_t c = 0; c < layout.coordinates.size(); ++c) {
-    const auto i = static_cast<Eigen::Index>(c);
     const int leader = hand.built->couplings[c].leader;
     list.push_back({{"name", layout.coordinates[c]},
                     {"field", field_name(layout.coordinates[c])},
-                    {"value", hand.placement.q[i]},
-                    {"lower", number_or_null(layout.lower[i])},
-                    {"upper", number_or_null(layout.upper[i])},
+                    {"value", hand.placement.q[c]},
+                    {"lower", number_or_null(layout.lower[c])},
+                    {"upper", number_or_null(layout.upper[c])},
                     {"slides", bool(slides[c])},
                     {"led_by", leader < 0 ? Json() : Json(layout.coordinates[leader])}});
   }

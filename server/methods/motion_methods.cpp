@@ -1,10 +1,9 @@
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "api/named/files.h"
 #include "base/field_names.h"
-#include "base/nearest_name.h"
+#include "base/lists.h"
 #include "live/live_motion.h"
 #include "live/recorded_digit_motion.h"
 #include "live/recorded_motion.h"
@@ -50,10 +49,8 @@ SchemaMember want_member(const Json& default_value) {
 }
 
 MotionParts wanted_parts(const Json& params) {
-  std::set<std::string> want;
-  for (const Json& word : params.at("want")) want.insert(word.get<std::string>());
-  return {want.count("joints") > 0, want.count("bodies") > 0, want.count("contacts") > 0,
-          want.count("energy") > 0, want.count("muscles") > 0};
+  const auto wants = [&](const char* part) { return contains(params.at("want"), part); };
+  return {wants("joints"), wants("bodies"), wants("contacts"), wants("energy"), wants("muscles")};
 }
 
 MotionInputs inputs_of(const Json& params) {
@@ -78,25 +75,22 @@ bool has_inputs(const Json& params) {
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
   // All vectors are in the world frame; the normal points out of b, and the force acts on a.
-  OrderedJson out;
-  out["a"] = names[contact.a];
-  out["b"] = names[contact.b];
-  out["point"] = to_json(contact.point);
-  out["normal"] = to_json(contact.normal);
-  out["force"] = to_json(contact.force);
-  out["torsion"] = contact.torsion;
-  out["gap"] = contact.gap;
-  out["mode"] = name_in(kContactModeNames, contact.mode);
-  return out;
+  return {{"a", names[contact.a]},
+          {"b", names[contact.b]},
+          {"point", to_json(contact.point)},
+          {"normal", to_json(contact.normal)},
+          {"force", to_json(contact.force)},
+          {"torsion", contact.torsion},
+          {"gap", contact.gap},
+          {"mode", name_in(kContactModeNames, contact.mode)}};
 }
 
 OrderedJson energy_json(const MotionEnergy& energy) {
   // Parts that a recording does not hold are null.
-  OrderedJson out;
-  out["kinetic"] = number_or_null(energy.kinetic);
-  out["weight"] = number_or_null(energy.weight);
-  out["springs"] = number_or_null(energy.springs);
-  out["total"] = energy.total;
+  OrderedJson out{{"kinetic", number_or_null(energy.kinetic)},
+                  {"weight", number_or_null(energy.weight)},
+                  {"springs", number_or_null(energy.springs)},
+                  {"total", energy.total}};
   if (!energy.balance) return out;
   out["work"] = energy.balance->work;
   out["dissipated"] = energy.balance->dissipated();
@@ -137,12 +131,11 @@ void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson
 }
 
 OrderedJson quality_json(const MotionQuality& quality) {
-  OrderedJson out;
-  out["steps"] = quality.steps;
-  out["unsolved"] = quality.unsolved;
-  out["worst_residual"] = number_or_null(quality.worst_residual);
-  out["deepest"] = quality.deepest;
-  out["leaps"] = quality.leaps;
+  OrderedJson out{{"steps", quality.steps},
+                  {"unsolved", quality.unsolved},
+                  {"worst_residual", number_or_null(quality.worst_residual)},
+                  {"deepest", quality.deepest},
+                  {"leaps", quality.leaps}};
   // Add the energy balance, null if it is not recorded.
   const std::optional<FlowBalance>& balance = quality.balance;
   out["energy_error"] = balance ? number_or_null(balance->error) : Json();
@@ -168,16 +161,14 @@ LiveMotion& motion_of(const Session& session) {
 /// Returns the description of an opened motion.
 OrderedJson opened_json(const LiveTimeline& motion) {
   const LiveTime time = motion.live_time();
-  OrderedJson out;
-  out["name"] = motion.name();
-  out["step"] = time.step;
-  out["duration"] = time.duration ? OrderedJson(*time.duration) : OrderedJson();
-  out["warnings"] = motion.warnings();
-  return out;
+  return {{"name", motion.name()},
+          {"step", time.step},
+          {"duration", time.duration ? OrderedJson(*time.duration) : OrderedJson()},
+          {"warnings", motion.warnings()}};
 }
 
-OrderedJson play_json(const LiveTimeline& motion) {
-  const LiveTime time = motion.live_time();
+OrderedJson play_json(const Session& session) {
+  const LiveTime time = timeline_of(session).live_time();
   return {{"t", time.t}, {"playing", time.playing}, {"speed", time.speed}};
 }
 
@@ -263,25 +254,22 @@ OrderedJson play_motion(Session& session, const Json& params, const Progress& /*
   LiveTimeline& motion = timeline_of(session);
   session.show(LiveMode::kMotion);
   motion.play(params.at("speed").get<double>());
-  return play_json(motion);
+  return play_json(session);
 }
 
 OrderedJson pause_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  motion.pause();
-  return play_json(motion);
+  timeline_of(session).pause();
+  return play_json(session);
 }
 
 OrderedJson seek_motion(Session& session, const Json& params, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  (void)motion.seek(params.at("t").get<double>());
-  return play_json(motion);
+  (void)timeline_of(session).seek(params.at("t").get<double>());
+  return play_json(session);
 }
 
 OrderedJson reset_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
-  LiveTimeline& motion = timeline_of(session);
-  motion.reset();
-  return play_json(motion);
+  timeline_of(session).reset();
+  return play_json(session);
 }
 
 // Rows.

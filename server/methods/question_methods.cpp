@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/nearest_name.h"
 #include "base/progress_parts.h"
 #include "questions/question.h"
 #include "server/methods/method_table.h"

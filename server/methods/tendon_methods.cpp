@@ -9,7 +9,6 @@
 #include "report/answers/tendon_solve.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
-#include "tendons/net/band_course.h"
 
 namespace thenar::internal {
 namespace {
@@ -30,13 +29,13 @@ OrderedJson joints_json(const LiveDigit& digit) {
   OrderedJson joints = OrderedJson::array();
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const LiveJoint& joint = digit.shape().joints[i];
-    OrderedJson row{{"name", joint.name},
-                    {"field", field_name(joint.name)},
-                    {"value", angles[i]},
-                    {"lower", number_or_null(joint.lower)},
-                    {"upper", number_or_null(joint.upper)}};
-    row["led_by"] = joint.led_by.empty() ? OrderedJson() : OrderedJson(joint.led_by);
-    joints.push_back(std::move(row));
+    joints.push_back(
+        {{"name", joint.name},
+         {"field", field_name(joint.name)},
+         {"value", angles[i]},
+         {"lower", number_or_null(joint.lower)},
+         {"upper", number_or_null(joint.upper)},
+         {"led_by", joint.led_by.empty() ? OrderedJson() : OrderedJson(joint.led_by)}});
   }
   return joints;
 }
@@ -47,16 +46,14 @@ OrderedJson muscles_json(const LiveDigit& digit) {
   const TendonDigit& bones = digit.digit_case().bones();
   OrderedJson muscles = OrderedJson::array();
   for (std::size_t m = 0; m < bones.names.muscles.size(); ++m) {
-    const auto row = static_cast<Eigen::Index>(m);
     OrderedJson muscle{{"name", bones.names.muscles[m]},
-                       {"tension", now.tension[row]},
-                       {"excitation", number_or_null(now.excitation[row])},
-                       {"max_force", number_or_null(bones.max_tension[row])},
-                       {"length", number_or_null(now.length[row])}};
+                       {"tension", now.tension[m]},
+                       {"excitation", number_or_null(now.excitation[m])},
+                       {"max_force", number_or_null(bones.max_tension[m])},
+                       {"length", number_or_null(now.length[m])}};
     muscle["arms"] = OrderedJson::object();
     for (std::size_t j = 0; j < bones.names.coordinates.size(); ++j)
-      muscle["arms"][bones.names.coordinates[j]] =
-          number_or_null(now.arms(row, static_cast<Eigen::Index>(j)));
+      muscle["arms"][bones.names.coordinates[j]] = number_or_null(now.arms(m, j));
     muscles.push_back(std::move(muscle));
   }
   return muscles;
@@ -179,7 +176,7 @@ OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress&
     const Eigen::MatrixXd& values = name == "arms" ? curves.arms : curves.lengths;
     json[name] = OrderedJson::object();
     for (std::size_t m = 0; m < muscles.size(); ++m)
-      json[name][muscles[m]] = list_of(values.row(static_cast<Eigen::Index>(m)).transpose());
+      json[name][muscles[m]] = list_of(values.row(m).transpose());
   }
   json["warnings"] = curves.warnings;
   return json;
