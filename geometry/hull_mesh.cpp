@@ -101,7 +101,7 @@ TriangleMesh hull_mesh(const Matrix3Xd& points) {
     for (int k = 0; k < 3; ++k)
       hull.triangles(k, static_cast<Eigen::Index>(i)) =
           number.emplace(facets[i].corners(k), static_cast<int>(number.size())).first->second;
-  hull.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
+  hull.vertices.resize(3, number.size());
   for (const auto& [old, now] : number) hull.vertices.col(now) = p.col(old);
   return hull;
 }

@@ -211,7 +211,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   const auto count = static_cast<std::size_t>(mesh.triangles.cols());
   std::vector<std::array<int, 4>> by_corners(count);  // sorted corners, triangle
   for (std::size_t t = 0; t < count; ++t) {
-    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    const Vector3i v = mesh.triangles.col(t);
     by_corners[t] = {v(0), v(1), v(2), static_cast<int>(t)};
     std::sort(by_corners[t].begin(), by_corners[t].begin() + 3);
   }
@@ -224,7 +224,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   // Keep the rest, unless it has no area.
   std::vector<Vector3i> kept;
   for (std::size_t t = 0; t < count; ++t) {
-    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    const Vector3i v = mesh.triangles.col(t);
     if (!again[t] && !is_degenerate(mesh, v))
       kept.push_back(v);
     else

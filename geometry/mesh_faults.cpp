@@ -25,7 +25,7 @@ Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
 
 /// A hole that a corner on an edge leaves: all its corners are in line.
 bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
-  Eigen::Matrix3Xd loop(3, static_cast<Eigen::Index>(hole.loop.size()));
+  Eigen::Matrix3Xd loop(3, hole.loop.size());
   for (Eigen::Index i = 0; i < loop.cols(); ++i) loop.col(i) = mesh.vertices.col(hole.loop[i]);
   // The corner farthest from the first gives the line.
   Eigen::Index far = 0;

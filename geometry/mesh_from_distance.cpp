@@ -113,7 +113,7 @@ class Grid {
     require(nodes.prod() < 1e8, "cells of {} m are too small for a solid of {} m: {} nodes", cell,
             box.sizes().maxCoeff(), nodes.prod());
     size_ = nodes.cast<int>();
-    value_.resize(static_cast<std::size_t>(nodes.prod()));
+    value_.resize(nodes.prod());
     // Distances block by block.
     Vector3i low;
     for (low.z() = 0; low.z() < size_.z(); low.z() += kBlockCubes)

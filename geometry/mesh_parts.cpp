@@ -41,9 +41,9 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
       part.triangles(k, static_cast<Eigen::Index>(i)) = now;
     }
   // Vertices in that order; the numbers are given back.
-  part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  part.vertices.resize(3, vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
+    part.vertices.col(i) = mesh.vertices.col(vertices[i]);
     number[vertices[i]] = -1;
   }
   return part;

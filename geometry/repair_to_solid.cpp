@@ -41,8 +41,7 @@ double area_of(const TriangleMesh& mesh) {
 
 TriangleMesh with(const TriangleMesh& mesh, const std::vector<Vector3i>& triangles) {
   TriangleMesh out{mesh.vertices, Eigen::Matrix3Xi(3, triangles.size())};
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    out.triangles.col(static_cast<Eigen::Index>(i)) = triangles[i];
+  for (std::size_t i = 0; i < triangles.size(); ++i) out.triangles.col(i) = triangles[i];
   return out;
 }
 

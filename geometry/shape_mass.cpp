@@ -280,7 +280,7 @@ std::vector<Parts> clusters_of(const std::vector<UnionPart>& parts) {
     for (std::size_t j = 0; j < i; ++j) {
       if (group[j] == group[i] || common_box(parts[i], parts[j]).isEmpty()) continue;
       const std::size_t from = group[j], to = group[i];
-      std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, from, to);
+      std::replace(group.begin(), group.begin() + i + 1, from, to);
     }
   }
   std::vector<Parts> clusters(parts.size());

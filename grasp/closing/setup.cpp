@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "data/io/world/world.h"
 #include "geometry/mass_properties.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/shape_reach.h"
@@ -107,8 +106,8 @@ BodyBox longest_first(const BodyBox& box) {
                    [&](int a, int b) { return box.half[a] > box.half[b]; });
   BodyBox sorted;
   for (int i = 0; i < 3; ++i) {
-    sorted.axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
-    sorted.half[i] = box.half[order[static_cast<std::size_t>(i)]];
+    sorted.axes.col(i) = box.axes.col(order[i]);
+    sorted.half[i] = box.half[order[i]];
   }
   if (sorted.axes.determinant() < 0) sorted.axes.col(2) *= -1;
   return sorted;

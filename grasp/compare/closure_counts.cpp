@@ -42,7 +42,7 @@ std::string hand_of_most_closures(const Comparison& comparison) {
             kSignificance)
       return "";
   }
-  return comparison.hands[static_cast<std::size_t>(best - counts.begin())];
+  return comparison.hands[best - counts.begin()];
 }
 
 }  // namespace thenar

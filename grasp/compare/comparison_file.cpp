@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/numbers.h"
-#include "base/provenance.h"
 #include "data/io/file_guard.h"
 
 namespace thenar {
@@ -84,7 +83,7 @@ Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int max_
     refuse(name, fmt::format("at most {} numbers", max_count), list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (Eigen::Index i = 0; i < out.size(); ++i) {
-    out[i] = load_of(list.items[static_cast<std::size_t>(i)], name);
+    out[i] = load_of(list.items[i], name);
     if (!(out[i] >= (i > 0 ? out[i - 1] : 0))) refuse(name, "numbers that do not fall", list);
   }
   return out;
@@ -95,7 +94,7 @@ Eigen::VectorXd vector(const JsonNode& list, const std::string& name, double max
   if (list.kind != JsonKind::kArray) refuse(name, "a list of numbers", list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (std::size_t i = 0; i < list.items.size(); ++i)
-    out[static_cast<Eigen::Index>(i)] = number_within(list.items[i], name, -max, max);
+    out[i] = number_within(list.items[i], name, -max, max);
   return out;
 }
 
@@ -110,8 +109,7 @@ Eigen::Matrix3d rotation_of(const JsonNode& rows) {
   Eigen::Matrix3d R;
   if (rows.items.size() != 3) refuse("rotation", "3 rows", rows);
   for (int i = 0; i < 3; ++i)
-    R.row(i) = vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnitTolerance)
-                   .transpose();
+    R.row(i) = vector3(rows.items[i], "rotation", 1 + kUnitTolerance).transpose();
   if (!(R * R.transpose()).isIdentity(kUnitTolerance) || R.determinant() < 0)
     refuse("rotation", "the rows of a rotation", rows);
   return R;

@@ -9,7 +9,6 @@
 #include "base/numbers.h"
 #include "grasp/limits/grasp_force.h"
 #include "grasp/limits/joint_limits.h"
-#include "grasp/quality/task_margin.h"
 
 namespace thenar {
 namespace {
@@ -193,7 +192,7 @@ std::vector<int> minimal_motors(const HandForceInputs& forces,
   // Try without each joint, from the fingertips inwards.
   for (std::size_t i = joints.size(); i-- > 0;) {
     std::vector<int> fewer = joints;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    fewer.erase(fewer.begin() + i);
     if (holds_driven(forces, loads, fewer)) joints.swap(fewer);
   }
   return joints;
@@ -208,8 +207,7 @@ std::string explain_unknown_effort(const HandForceInputs& forces) {
     if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
     for (Index j = 0; j < a.B.rows(); ++j)
       if (a.B(j, k) != 0 && carries_force(forces, j) && !is_locked(a.reactions, j))
-        return fmt::format("the effort of '{}' is unknown",
-                           forces.layout.actuators[static_cast<std::size_t>(k)]);
+        return fmt::format("the effort of '{}' is unknown", forces.layout.actuators[k]);
   }
   return "";
 }
@@ -225,8 +223,7 @@ std::string explain_zero_margin(const HandForceInputs& forces,
   // Name a minimal set of joints whose motors are missing.
   std::vector<std::string> names;
   for (const int joint : minimal_motors(forces, loads, joints))
-    names.push_back(
-        fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
+    names.push_back(fmt::format("'{}'", forces.layout.coordinates[joint]));
   return fmt::format("needs more motor torque at {}", fmt::join(names, ", "));
 }
 

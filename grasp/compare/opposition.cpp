@@ -1,7 +1,6 @@
 #include "grasp/compare/opposition.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>

@@ -1,13 +1,9 @@
 #include "grasp/compare/pregrasp.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "grasp/closing/approach_sampling.h"
 
@@ -43,7 +39,7 @@ std::set<std::string> touching_tips(const Hand& hand, const std::vector<HandCont
     outermost[surface.digit] = std::max(outermost[surface.digit], depth(surface));
   std::set<std::string> tips;
   for (const HandContact& contact : contacts) {
-    const LinkSurface& surface = hand.surfaces()[static_cast<std::size_t>(contact.surface)];
+    const LinkSurface& surface = hand.surfaces()[contact.surface];
     if (!surface.digit.empty() && depth(surface) == outermost[surface.digit])
       tips.insert(surface.digit);
   }

@@ -111,8 +111,8 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   program.G.resize(static_cast<Eigen::Index>(rows.size()), n + m + count);
   program.h.resize(program.G.rows());
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    program.G.row(static_cast<Eigen::Index>(r)) = rows[r];
-    program.h[static_cast<Eigen::Index>(r)] = limits[r];
+    program.G.row(r) = rows[r];
+    program.h[r] = limits[r];
   }
   program.cones.assign(rows.size(), 1);
   return program;
@@ -155,7 +155,7 @@ double max_force_by_ascent(const ConeProgram& program, const Eigen::MatrixXd& J,
 
 TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandLayout& layout = hand.layout();
-  const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
+  const HandTip& place = layout.tip_points[tip];
   if (place.link < 0) return {kNaN, kNaN};
   const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
   // Joints that press, and whether their efforts are known.

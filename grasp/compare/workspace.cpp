@@ -31,8 +31,7 @@ Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
   voxels.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& p : points.colwise()) {
     Voxel at{0, 0, 0};
-    for (int i = 0; i < dimension; ++i)
-      at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / voxel));
+    for (int i = 0; i < dimension; ++i) at[i] = static_cast<int>(std::floor(p[i] / voxel));
     voxels.push_back(at);
   }
   // Remove duplicates.
@@ -98,7 +97,7 @@ std::vector<int> movers_of_tips(const Hand& hand) {
       far = far.cwiseMax(by.colwise().norm().transpose());
     }
     for (std::size_t t = 0; t < movers.size(); ++t)
-      if (far[static_cast<Eigen::Index>(t)] > kNoMotion) ++movers[t];
+      if (far[t] > kNoMotion) ++movers[t];
   }
   return movers;
 }
@@ -141,8 +140,7 @@ Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt
   for (int n = 0; n < draws; ++n) {
     if (n % kStopInterval == 0 && progress.stop()) return {};
     const Eigen::Matrix3Xd tips = fingertip_positions(hand, sample_posture(layout, random));
-    for (std::size_t t = 0; t < points.size(); ++t)
-      points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
+    for (std::size_t t = 0; t < points.size(); ++t) points[t].col(n) = tips.col(t);
   }
   Workspaces out;
   std::set<Voxel> thumb, others;

@@ -1,7 +1,6 @@
 #include "grasp/contact/contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
-#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/patch_reduction.h"
-#include "geometry/collision/patch_search.h"
 
 namespace thenar {
 namespace {
@@ -85,10 +82,9 @@ Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::siz
 Eigen::Matrix2Xd project_contacts(const std::vector<HandContact>& contacts,
                                   const Vector3d& normal) {
   const Tangents t = tangents(normal);
-  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(contacts.size()));
+  Eigen::Matrix2Xd points(2, contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) << t.e1.dot(contacts[i].contact.p),
-        t.e2.dot(contacts[i].contact.p);
+    points.col(i) << t.e1.dot(contacts[i].contact.p), t.e2.dot(contacts[i].contact.p);
   return points;
 }
 
@@ -120,7 +116,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
   std::vector<int> nodes{0};
   // Descend into balls that are near the point.
   while (!nodes.empty()) {
-    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
+    const CollisionNode& node = a.nodes[nodes.back()];
     nodes.pop_back();
     if ((node.ball.c - p).norm() > node.ball.r + kPointReach) continue;
     if (node.triangle < 0) {
@@ -129,7 +125,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
       continue;
     }
     // Leaf: keep the triangle if it is near enough.
-    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
+    const SweptTriangle& t = a.triangles[node.triangle];
     if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kPointReach)
       triangles.push_back(&t);
   }
@@ -213,14 +209,13 @@ class PatchFinder {
     // Project the contact points of the region onto its tangent plane.
     const std::vector<PatchPoint> points = touching_points(region);
     const Tangents t = tangents(region.normal);
-    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(points.size()));
+    Eigen::Matrix2Xd flat(2, points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      flat.col(static_cast<Eigen::Index>(i)) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
+      flat.col(i) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
     // Reduce them to corners of their convex hull.
     const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.max_points);
     ContactPatch patch{{}, region.nearest.distance, reduced.loss, region.normal};
-    for (const int i : reduced.kept)
-      patch.contacts.push_back(contact_at(points[static_cast<std::size_t>(i)]));
+    for (const int i : reduced.kept) patch.contacts.push_back(contact_at(points[i]));
     // The boundary that gives several corners is only known to the resolution.
     if (reduced.kept.size() > 1) patch.loss += options_.resolution;
     result_.patches.push_back(std::move(patch));
@@ -255,7 +250,7 @@ class PatchFinder {
     exactly.within = ball;
     exactly.max_evaluations = options_.max_evaluations;
     const SignedDistance s = signed_distance(a_, X_BA_, b_, exactly);
-    const double radius = a_.triangles[static_cast<std::size_t>(s.triangle)].radius;
+    const double radius = a_.triangles[s.triangle].radius;
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
 
@@ -353,7 +348,7 @@ std::optional<ContactPatch> merge_patches(const ContactPatch& x, const ContactPa
   const auto along_normal = [&](const ContactPatch& patch) {
     Eigen::RowVectorXd heights(static_cast<Eigen::Index>(patch.contacts.size()));
     for (std::size_t i = 0; i < patch.contacts.size(); ++i)
-      heights[static_cast<Eigen::Index>(i)] = nearer.normal.dot(patch.contacts[i].contact.p);
+      heights[i] = nearer.normal.dot(patch.contacts[i].contact.p);
     return heights;
   };
   // Patches that are apart along the normal or in the plane are not merged.
@@ -368,7 +363,7 @@ std::optional<ContactPatch> merge_patches(const ContactPatch& x, const ContactPa
   const ReducedPoints reduced =
       reduce_points(project_contacts(all, nearer.normal), options.merge, options.max_points);
   ContactPatch merged{{}, nearer.distance, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
-  for (const int i : reduced.kept) merged.contacts.push_back(all[static_cast<std::size_t>(i)]);
+  for (const int i : reduced.kept) merged.contacts.push_back(all[i]);
   return merged;
 }
 

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "base/error.h"
-#include "grasp/contact/contact.h"
 
 namespace thenar {
 namespace {

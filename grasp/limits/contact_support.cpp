@@ -7,7 +7,6 @@
 
 #include <Eigen/QR>
 
-#include "grasp/limits/force_set.h"
 #include "grasp/limits/grasp_force.h"
 #include "grasp/limits/joint_limits.h"
 
@@ -40,8 +39,7 @@ std::vector<bool> works_on_internal_forces(const WrenchSet& set, const MatrixXd&
   // The remaining torques are due to internal forces.
   const MatrixXd internal = T - (T * Q) * Q.transpose();
   for (Index j = 0; j < T.rows(); ++j)
-    squeezing[static_cast<std::size_t>(j)] =
-        internal.row(j).norm() > kForceRounding * T.row(j).norm();
+    squeezing[j] = internal.row(j).norm() > kForceRounding * T.row(j).norm();
   return squeezing;
 }
 
@@ -94,7 +92,7 @@ class OneContact {
   /// Returns the normal lever of a coordinate over its longest lever [1]; 0 if it does no work on
   /// internal forces.
   [[nodiscard]] double normal_ratio(Index j) const {
-    if (!squeezing_[static_cast<std::size_t>(j)] || !carries_force(j)) return 0;
+    if (!squeezing_[j] || !carries_force(j)) return 0;
     return std::abs(torques_(j, 0)) / longest_lever(j);
   }
   [[nodiscard]] bool is_stopped(Index j) const {

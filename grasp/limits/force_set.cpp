@@ -71,9 +71,7 @@ void add_passive_forces(ForceSet& forces, const WrenchSet& set,
   append_variables(forces, count);
   for (Index i = 0; i < count; ++i) {
     const Index column = first + i;
-    forces.wrench.col(column) =
-        set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])]
-            .c.vector();
+    forces.wrench.col(column) = set.caps[passive_contacts[i]].c.vector();
     forces.normals(column) = 1;
     append_limits(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column),
                   VectorXd::Zero(1));
@@ -209,8 +207,7 @@ ForceSet active_only(ForceSet forces) {
   const Index pressed = forces.wrench.cols();
   Index first = 0;  // first entry of p, after x
   // Passive forces p follow the contacts' own variables; set each to zero.
-  for (int contact = 0; contact < forces.contacts; ++contact)
-    first += forces.cones[static_cast<std::size_t>(contact)];
+  for (int contact = 0; contact < forces.contacts; ++contact) first += forces.cones[contact];
   for (std::size_t i = 0; i < forces.passive_contacts.size(); ++i)
     append_limits(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
                   VectorXd::Zero(1));
@@ -235,7 +232,7 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
     MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
     // Transposed Jacobian of the contact point; a palm that cannot move has none.
     if (link >= 0) {
-      const Eigen::Vector3d reference = poses[static_cast<std::size_t>(link)].inverse() * p_H;
+      const Eigen::Vector3d reference = poses[link].inverse() * p_H;
       torques = hand.jacobian(q, link, reference).transpose() * loads;
     }
     T.conservativeResize(q.size(), T.cols() + loads.cols());
@@ -249,7 +246,7 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   Index column = 0;
   // Active force of each contact.
   for (int i = 0; i < set.contacts; ++i) {
-    const int size = set.cones[static_cast<std::size_t>(i)];
+    const int size = set.cones[i];
     result.wrenches.push_back(ScaledWrench::from_coordinates(set.wrench.middleCols(column, size) *
                                                              y.segment(column, size)));
     result.normal(i) = y(column);
@@ -257,8 +254,7 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   }
   // Passive forces are added to the contacts that carry them.
   for (const int contact : set.passive_contacts) {
-    result.wrenches[static_cast<std::size_t>(contact)] +=
-        ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
+    result.wrenches[contact] += ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
     result.normal(contact) += y(column++);
   }
   // Efforts in SI units.

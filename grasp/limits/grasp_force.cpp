@@ -51,7 +51,7 @@ void minimise_max_force(ConeProgram& program, const ForceSet& forces) {
     column += forces.cones[i];
   }
   for (const int contact : forces.passive_contacts)
-    program.G(rows + patches.of_contact[static_cast<std::size_t>(contact)], column++) = 1;
+    program.G(rows + patches.of_contact[contact], column++) = 1;
 }
 
 }  // namespace

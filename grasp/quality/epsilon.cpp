@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <Eigen/QR>
 
 #include "base/error.h"
 #include "base/stop_scope.h"
-#include "grasp/quality/support_function.h"
 #include "grasp/quality/support_proof.h"
 #include "solvers/incremental_hull.h"
 

@@ -1,7 +1,5 @@
 #include "grasp/quality/grasp_stiffness.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -64,8 +62,7 @@ MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, 
   require(joints.J.allFinite() && (joints.k.array() > 0).all(),
           "J must be finite, joint stiffness > 0");
   MatrixXd J(springs.k.size(), joints.J.cols());
-  for (Index i = 0; i < J.rows(); ++i)
-    J.row(i) = joints.J.row(springs.component[static_cast<std::size_t>(i)]);
+  for (Index i = 0; i < J.rows(); ++i) J.row(i) = joints.J.row(springs.component[i]);
   return J * joints.k.cwiseInverse().asDiagonal() * J.transpose();
 }
 

@@ -55,8 +55,7 @@ Form wedge(const Form& f, int degree, const WrenchCoordinates& v) {
   static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
                                                     terms(4)};
   Form out{};
-  for (const Term& term : all[static_cast<std::size_t>(degree)])
-    out[term.out] += term.sign * f[term.in] * v[term.axis];
+  for (const Term& term : all[degree]) out[term.out] += term.sign * f[term.in] * v[term.axis];
   return out;
 }
 
@@ -65,7 +64,7 @@ WrenchCoordinates normal(const Form& five) {
   WrenchCoordinates u;
   for (int axis = 0; axis < 6; ++axis) {
     const int others = kAllAxes ^ 1 << axis;
-    u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
+    u[axis] = sign(others, axis) * five[others];
   }
   return u;
 }
@@ -85,14 +84,13 @@ Matrix6 normals(const Form& four) {
 
 /// Product of a form of `count` vectors and the vectors along a face.
 Form wedge(Form f, int count, const ContactFace& face) {
-  for (int i = 0; i < face.dimension; ++i)
-    f = wedge(f, count + i, face.span[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < face.dimension; ++i) f = wedge(f, count + i, face.span[i]);
   return f;
 }
 
 /// Product of a number and the lengths of the vectors along a face.
 double times_lengths(double lengths, const ContactFace& face) {
-  for (int i = 0; i < face.dimension; ++i) lengths *= face.span[static_cast<std::size_t>(i)].norm();
+  for (int i = 0; i < face.dimension; ++i) lengths *= face.span[i].norm();
   return lengths;
 }
 
@@ -150,7 +148,7 @@ class Sum {
     // Outer normals have all neighbouring faces of each chosen face behind them.
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
       for (int i = 0; i < chosen->face->inward_count; ++i) {
-        const WrenchCoordinates& inward = chosen->face->inward[static_cast<std::size_t>(i)];
+        const WrenchCoordinates& inward = chosen->face->inward[i];
         const double t = -u.dot(inward);
         if (std::abs(t) < kZeroDeterminant * lengths * inward.norm()) {
           uncertain = true;

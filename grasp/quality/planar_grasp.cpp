@@ -141,9 +141,8 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
   if (found.upper < 0 || set.caps.empty()) return found;
 
   // Rank of the planar wrenches.
-  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(set.caps.size()));
-  for (Eigen::Index i = 0; i < all.cols(); ++i)
-    all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
+  Eigen::Matrix3Xd all(3, set.caps.size());
+  for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = in_plane(set.caps[i].c);
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
   found.rank = static_cast<int>((sigma.array() > internal::kRankTolerance * sigma(0)).count());

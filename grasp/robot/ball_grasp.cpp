@@ -60,7 +60,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = corner(t, 0);
     area[static_cast<std::size_t>(t) + 1] =
-        area[static_cast<std::size_t>(t)] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
+        area[t] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
   }
   if (!(area.back() > 0)) return mesh.vertices;
   // Equal steps of area select the triangle, low-discrepancy numbers the point in it.
@@ -95,7 +95,7 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
     const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
     at->second += area;
   }
-  Matrix3Xd faces(3, static_cast<Eigen::Index>(sums.size()));
+  Matrix3Xd faces(3, sums.size());
   Eigen::Index i = 0;
   for (const auto& [cell, sum] : sums) faces.col(i++) = sum;
   return faces;
@@ -125,12 +125,12 @@ LinkSamples samples_of(const RobotLink& link) {
 }
 
 Vector3d to_hand_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
-  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)] * p);
+  return link < 0 ? p : Vector3d(links[link] * p);
 }
 
 /// Transforms a point to the frame in which the points of a link's surfaces are stored.
 Vector3d to_link_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
-  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)].inverse() * p);
+  return link < 0 ? p : Vector3d(links[link].inverse() * p);
 }
 
 /// Finds the point of a surface nearest to p, and its distance, if it is within `reach`.
@@ -198,10 +198,8 @@ double BallGrasp::sphere_cast(const std::vector<Pose<double>>& links, const Vect
   for (const SampledSurface& surface : surfaces_) {
     // The ray in the frame of the surface's points.
     const Vector3d o = to_link_frame(links, surface.link, origin),
-                   d = surface.link < 0
-                           ? direction
-                           : Vector3d(links[static_cast<std::size_t>(surface.link)].R.transpose() *
-                                      direction);
+                   d = surface.link < 0 ? direction
+                                        : Vector3d(links[surface.link].R.transpose() * direction);
     // Surfaces whose bounding ball is off the ray cannot touch the ball.
     const Vector3d to_centre = surface.centre - o;
     if ((to_centre - to_centre.dot(d) * d).norm() > radius + surface.radius) continue;
@@ -221,7 +219,7 @@ bool BallGrasp::are_adjacent(const SampledSurface& a, const SampledSurface& b) c
   if (a.digit == b.digit) return true;
   const auto& parents = hand_.layout().parents;
   const auto next_to = [&](int inner, int outer) {
-    return outer >= 0 && (parents[static_cast<std::size_t>(outer)] == inner || inner == outer);
+    return outer >= 0 && (parents[outer] == inner || inner == outer);
   };
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }

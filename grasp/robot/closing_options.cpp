@@ -111,8 +111,7 @@ std::vector<SenseOption> closing_options(
     for (std::size_t d = 0; d < drives.size(); ++d)
       option.speed.push_back(groups.group[d] < 0
                                  ? 0
-                                 : groups.orientation[d] *
-                                       senses[static_cast<std::size_t>(groups.group[d])] *
+                                 : groups.orientation[d] * senses[groups.group[d]] *
                                        (has_speeds ? std::abs(drives[d].speed) : 1));
     options.push_back(std::move(option));
   }

@@ -46,13 +46,12 @@ Matrix3Xd DigitMotion::closing_axes(const HandDigit& digit, std::size_t option,
   std::vector<bool> closing(hand.layout().coordinates.size(), false);
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
-      if (options_[option].speed[d] != 0)
-        closing[static_cast<std::size_t>(driven.coordinate)] = true;
+      if (options_[option].speed[d] != 0) closing[driven.coordinate] = true;
   // Axes of their hinges, from the tip inwards.
   std::vector<Matrix3Xd> axes;
   for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
-       link = hand.layout().parents[static_cast<std::size_t>(link)])
-    if (!hand.is_prismatic(link) && closing[static_cast<std::size_t>(hand.coordinate_of(link))])
+       link = hand.layout().parents[link])
+    if (!hand.is_prismatic(link) && closing[hand.coordinate_of(link)])
       axes.emplace_back(hand.axis(q, link));
   return join_columns(axes);
 }
@@ -62,7 +61,7 @@ bool DigitMotion::slides_only(const HandDigit& digit, std::size_t option) const 
   const auto is_slide = [&](int link) { return digits_.grip().hand().is_prismatic(link); };
   bool any_hinge = false;
   for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
-       link = digits_.grip().hand().layout().parents[static_cast<std::size_t>(link)])
+       link = digits_.grip().hand().layout().parents[link])
     any_hinge = any_hinge || !is_slide(link);
   return !curl_motion(digit, option).isZero(0) &&
          std::all_of(digit.curls.begin(), digit.curls.end(),

@@ -51,7 +51,7 @@ std::vector<Drive> DigitMotion::drives(std::size_t option) const {
 Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) const {
   Vector3d sum = Vector3d::Zero();
   for (const int d : digit.curls) {
-    const double speed = options_[option].speed[static_cast<std::size_t>(d)];
+    const double speed = options_[option].speed[d];
     sum += (speed > 0   ? 1
             : speed < 0 ? -1
                         : 0) *
@@ -193,9 +193,8 @@ std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::
     for (const DrivenCoordinate& driven : digits_.drives()[motor].moves) {
       const Eigen::Index c = driven.coordinate;
       const double share = static_cast<double>(i) / (positions - 1);
-      postures[static_cast<std::size_t>(i)][c] =
-          layout.lower[c] +
-          (driven.ratio < 0 ? 1 - share : share) * (layout.upper[c] - layout.lower[c]);
+      postures[i][c] = layout.lower[c] +
+                       (driven.ratio < 0 ? 1 - share : share) * (layout.upper[c] - layout.lower[c]);
     }
   return postures;
 }

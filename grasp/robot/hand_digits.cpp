@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "grasp/robot/posed_surfaces.h"
 
@@ -58,8 +57,7 @@ void HandDigits::find_digits() {
   // Centre of a surface at rest.
   const auto centre = [&](std::size_t s) -> Vector3d {
     const SampledSurface& surface = surfaces[s];
-    return surface.link < 0 ? surface.centre
-                            : links[static_cast<std::size_t>(surface.link)] * surface.centre;
+    return surface.link < 0 ? surface.centre : links[surface.link] * surface.centre;
   };
   for (HandDigit& digit : digits_) {
     // The root is the hinge of the digit's first link, or the link itself for a slide.
@@ -67,7 +65,7 @@ void HandDigits::find_digits() {
     digit.root = centre(digit.first);
     const int link = surfaces[digit.first].link;
     if (link >= 0 && !grip_.hand().is_prismatic(link))
-      digit.root = links[static_cast<std::size_t>(link)] * grip_.hand().axis_point(link);
+      digit.root = links[link] * grip_.hand().axis_point(link);
   }
 }
 
@@ -109,7 +107,7 @@ bool HandDigits::moves_alike(std::size_t drive) const {
 Vector3d HandDigits::last_axis(const HandDigit& digit) const {
   Vector3d last = Vector3d::Zero();
   for (int link = grip_.surfaces()[digit.last].link; link >= 0 && last.isZero(0);
-       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+       link = grip_.hand().layout().parents[link])
     last = grip_.hand().axis(rest_, link);
   return last;
 }
@@ -219,8 +217,7 @@ double HandDigits::tip_separation(const VectorXd& q) const {
   std::vector<Vector3d> tips;
   for (const HandDigit& digit : digits_) {
     const SampledSurface& tip = grip_.surfaces()[digit.last];
-    tips.push_back(tip.link < 0 ? tip.centre
-                                : links[static_cast<std::size_t>(tip.link)] * tip.centre);
+    tips.push_back(tip.link < 0 ? tip.centre : links[tip.link] * tip.centre);
   }
   double sum = 0;
   for (std::size_t a = 0; a < tips.size(); ++a)

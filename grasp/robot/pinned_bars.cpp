@@ -47,8 +47,7 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
                upper = std::isfinite(dof.upper) ? dof.upper : kAssumedRange;
   Instants all;
   for (int k = 0; k < 3; ++k)
-    all[static_cast<std::size_t>(k)] =
-        link_poses(robot, {{dof.name, lower + 0.5 * k * (upper - lower)}});
+    all[k] = link_poses(robot, {{dof.name, lower + 0.5 * k * (upper - lower)}});
   return all;
 }
 

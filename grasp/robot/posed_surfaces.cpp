@@ -22,8 +22,7 @@ Eigen::Matrix3Xd points_of(const BallGrasp& grip, const std::vector<std::size_t>
   std::vector<Eigen::Matrix3Xd> parts;
   for (const std::size_t surface : surfaces) {
     const SampledSurface& points = grip.surfaces()[surface];
-    const Pose<double> X =
-        points.link < 0 ? Pose<double>{} : links[static_cast<std::size_t>(points.link)];
+    const Pose<double> X = points.link < 0 ? Pose<double>{} : links[points.link];
     parts.emplace_back((X.R * points.p).colwise() + X.p);
   }
   return join_columns(parts);
@@ -35,8 +34,7 @@ Eigen::Matrix3Xd faces_of(const BallGrasp& grip, const std::vector<std::size_t>&
   for (const std::size_t s : surfaces) {
     const SampledSurface& surface = grip.surfaces()[s];
     faces.push_back(surface.faces);
-    if (surface.link >= 0)
-      faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
+    if (surface.link >= 0) faces.back() = links[surface.link].R * surface.faces;
   }
   return join_columns(faces);
 }
@@ -48,10 +46,7 @@ Eigen::AlignedBox3d box_of(const BallGrasp& grip, const std::vector<std::size_t>
     const SampledSurface& surface = grip.surfaces()[s];
     for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
       const Eigen::Vector3d p = surface.p.col(i);
-      box.extend(R.transpose() *
-                 (surface.link < 0
-                      ? p
-                      : Eigen::Vector3d(links[static_cast<std::size_t>(surface.link)] * p)));
+      box.extend(R.transpose() * (surface.link < 0 ? p : Eigen::Vector3d(links[surface.link] * p)));
     }
   }
   return box;
