@@ -41,11 +41,8 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
       part.triangles(k, static_cast<Eigen::Index>(i)) = now;
     }
   // Vertices in that order; the numbers are given back.
-  part.vertices.resize(3, vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    part.vertices.col(i) = mesh.vertices.col(vertices[i]);
-    number[vertices[i]] = -1;
-  }
+  part.vertices = mesh.vertices(Eigen::all, vertices);
+  for (const int vertex : vertices) number[vertex] = -1;
   return part;
 }
 
@@ -158,8 +155,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
     for (std::size_t i = 0; i < members.size(); ++i)
       for (int k = 0; k < 3; ++k) {
         const int other = across(k, members[i]);
-        if (other < 0) continue;
-        if (seen[other]) continue;
+        if (other < 0 || seen[other]) continue;
         seen[other] = true;
         members.push_back(other);
       }

@@ -111,7 +111,7 @@ class PatchSearch {
       // Exclude it by the distance at its centre.
       const NearestSurface near = b_.nearest(ball.c);
       if (bound_of(part, ball, near) > query_.level) continue;
-      const PatchPoint middle = point_at(ball.c, near, part.radius);
+      const PatchPoint middle = patch_point(ball.c, near, part.radius);
       if (is_kept(part, ball, middle)) continue;
       for (const Part& half : halve_part(part, middle)) parts.push_back(half);
     }
@@ -119,13 +119,7 @@ class PatchSearch {
 
   PatchPoint evaluate(const Eigen::Vector3d& core, double radius) {
     ++evaluations_;
-    return point_at(core, b_.nearest(core), radius);
-  }
-
-  static PatchPoint point_at(const Eigen::Vector3d& core, const NearestSurface& near,
-                             double radius) {
-    return {core,   near.distance - radius, core - near.distance * near.normal, near.normal,
-            radius, near.supports};
+    return patch_point(core, b_.nearest(core), radius);
   }
 
   [[nodiscard]] bool is_inside(const PatchPoint& point) const {
