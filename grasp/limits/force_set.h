@@ -112,6 +112,11 @@ namespace thenar::internal {
 /// @param rows  (k, n);  @param upper  (k)
 void append_limits(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper);
 
+/// Appends one such limit.
+inline void append_limit(ForceSet& forces, const Eigen::RowVectorXd& row, double upper) {
+  append_limits(forces, row, Eigen::VectorXd::Constant(1, upper));
+}
+
 /// Appends variables that no row uses yet. @param count  number of variables
 void append_variables(ForceSet& forces, Eigen::Index count);
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "base/lists.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -139,9 +141,8 @@ class FaceSolid {
   void add_face(const Eigen::Vector3d& n, const std::vector<int>& on, const Eigen::RowVectorXd& s) {
     // Corners of the face in its plane.
     const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
-    Eigen::Matrix2Xd flat(2, on.size());
-    for (std::size_t i = 0; i < on.size(); ++i)
-      flat.col(i) << a.dot(x_.col(on[i])), b.dot(x_.col(on[i]));
+    const Eigen::Matrix2Xd flat =
+        columns_of(on, [&](int i) { return Eigen::Vector2d(a.dot(x_.col(i)), b.dot(x_.col(i))); });
     const std::vector<int> corners = corners_of(flat, tolerance_);
     // Its inward direction leads to the deepest point.
     ContactFace face = face_of(2, area(flat, corners));
@@ -178,9 +179,7 @@ std::vector<WrenchCoordinates> distinct(const std::vector<WrenchCoordinates>& po
                                         double tolerance) {
   std::vector<WrenchCoordinates> kept{WrenchCoordinates::Zero()};
   for (const WrenchCoordinates& point : points)
-    if (std::all_of(kept.begin(), kept.end(), [&](const WrenchCoordinates& other) {
-          return (other - point).norm() > tolerance;
-        }))
+    if (all_of(kept, [&](const auto& other) { return (other - point).norm() > tolerance; }))
       kept.push_back(point);
   return kept;
 }
@@ -194,8 +193,7 @@ std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& po
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};
-  Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, body.points.size());
-  for (std::size_t i = 0; i < body.points.size(); ++i) P.col(i) = body.points[i];
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> P = columns_of(body.points);
   // Dimension of the body, and its coordinates in an orthonormal basis.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
   const auto rank = (svd.singularValues().array() > tolerance).count();

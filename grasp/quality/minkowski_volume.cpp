@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/quality/contact_body.h"
 
@@ -198,19 +199,15 @@ class Sum {
   const std::vector<ContactBody>& bodies_;
   double no_area_;
   const Progress& progress_;
-  std::vector<double> longest_ = longest_of(bodies_);
+  std::vector<double> longest_ = transformed(bodies_, longest_of);
   std::vector<Chosen> chosen_;
   bool tie_ = false, stopped_ = false;
   double volume_ = 0, surface_ = 0;
   WrenchCoordinates surplus_ = WrenchCoordinates::Zero();
 
-  static std::vector<double> longest_of(const std::vector<ContactBody>& bodies) {
-    std::vector<double> longest;
-    for (const ContactBody& body : bodies) {
-      double length = 0;
-      for (const WrenchCoordinates& point : body.points) length = std::max(length, point.norm());
-      longest.push_back(length);
-    }
+  static double longest_of(const ContactBody& body) {
+    double longest = 0;
+    for (const WrenchCoordinates& point : body.points) longest = std::max(longest, point.norm());
     return longest;
   }
 };

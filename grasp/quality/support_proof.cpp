@@ -159,9 +159,9 @@ class Problem {
   /// Returns the smallest eigenvalue of F and of the constraints of its weights, less their
   /// rounding errors. Recomputed by eigenvalues, where the search had Cholesky factors.
   [[nodiscard]] double check(const VectorXd& y) const {
-    if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+    if (!y.allFinite()) return kNaN;
     // Constraints of the weights.
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const int k : weights_) least = min_or_nan(least, y(k));
     for (const Product& each : products_)
       least = min_or_nan(
@@ -261,7 +261,7 @@ WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubt
   for (const int k : {5, 4})
     for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
   WrenchCoordinates best = WrenchCoordinates::Unit(0);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const WrenchCoordinates& way : ways) {
     if (!(way.norm() > 0) || !way.allFinite()) continue;
     const WrenchCoordinates u = descend_support(support, way.normalized());
@@ -276,7 +276,7 @@ WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubt
 }  // namespace
 
 SupportProof prove_support(const SupportFunction& support, double r, int max_parts) {
-  SupportProof proof{false, 0, std::numeric_limits<double>::infinity(), {}};
+  SupportProof proof{false, 0, kInfinity, {}};
   // Only a few different caps can be proven.
   const std::vector<SupportFunction::Cap> caps = distinct_caps(support);
   if (caps.empty() || caps.size() > kMaxProofCaps || !(r > 0)) return proof;

@@ -94,9 +94,7 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
     picture.failed += found ? 0 : 1;
     picture.mesh.vertices.col(i) = (found ? reach.value : 0.0) * way.head<3>();
   }
-  picture.mesh.triangles.resize(3, sphere.triangles.size());
-  for (std::size_t i = 0; i < sphere.triangles.size(); ++i)
-    picture.mesh.triangles.col(i) = sphere.triangles[i];
+  picture.mesh.triangles = columns_of(sphere.triangles);
   return picture;
 }
 
