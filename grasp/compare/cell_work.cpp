@@ -158,13 +158,8 @@ void CellWork::compute_loads(std::size_t rank, int number) {
   best.epsilon = grasp.quality.lower;
   best.type = grasp_type(*hand_.hand().hand, grasp.contacts);
   const GraspBody& object = object_.setup().object;
-  GraspLoads loads =
+  static_cast<GraspLoads&>(best) =
       grasp_loads(held_by(hand_.hand(), grasp, object), object, object_.mass(), options_.tasks);
-  best.min_grasp_force = loads.min_grasp_force;
-  best.standing_grasp_force = loads.standing_grasp_force;
-  best.margin = std::move(loads.margin);
-  best.with_structure = std::move(loads.with_structure);
-  best.reasons = std::move(loads.reasons);
   best.hand_epsilon = tried.hand_epsilon;
   if (!tried.message.empty()) best.reasons["epsilon"] = tried.message;
   add_time(seconds_since(start));

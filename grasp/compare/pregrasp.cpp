@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 
+#include "base/lists.h"
 #include "grasp/closing/approach_sampling.h"
 
 namespace thenar {
@@ -24,9 +25,8 @@ std::mt19937 generator(unsigned seed, const std::string& object, int number, Str
 
 std::set<std::string> touching_digits(const Hand& hand, const std::vector<HandContact>& contacts) {
   std::set<std::string> digits;
-  for (const HandContact& contact : contacts)
-    if (!hand.surfaces()[contact.surface].digit.empty())
-      digits.insert(hand.surfaces()[contact.surface].digit);
+  for (const HandContact& contact : contacts) digits.insert(hand.surfaces()[contact.surface].digit);
+  digits.erase("");
   return digits;
 }
 
@@ -186,10 +186,9 @@ std::optional<double> push_distance(const CollisionHand& hand, const Grasp& gras
 
 /// Returns whether a fixed surface pushes against the push.
 bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object) {
-  return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
-    const bool still =
-        std::find(push.others.begin(), push.others.end(), each.surface) != push.others.end();
-    return still && (object.X_WB.R * each.contact.n).dot(push.along_W) < -kMinPushSine;
+  return any_of(grasp.contacts, [&](const HandContact& each) {
+    return contains(push.others, each.surface) &&
+           (object.X_WB.R * each.contact.n).dot(push.along_W) < -kMinPushSine;
   });
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "grasp/closing/closing_drives.h"
@@ -35,11 +35,8 @@ std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reac
     if (!J.col(j).isZero(kNoTipMotion)) carrier = std::max(carrier, j);
   // Locked joints, and inner non-backdrivable ones, support the force as structure.
   for (int j = 0; j < J.cols(); ++j) {
-    const bool non_backdrivable =
-        std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
-        reactions.non_backdrivable.end();
     if (!J.col(j).isZero(kNoTipMotion) && !is_locked(reactions, j) &&
-        (!non_backdrivable || j == carrier))
+        (!contains(reactions.non_backdrivable, j) || j == carrier))
       joints.push_back(j);
   }
   return joints;
@@ -129,7 +126,7 @@ MaxForce max_force_along(ConeProgram program, const Eigen::MatrixXd& J, const Ei
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  if (result.status == Status::kUnbounded) return {std::numeric_limits<double>::infinity(), zero};
+  if (result.status == Status::kUnbounded) return {kInfinity, zero};
   if (result.status == Status::kInfeasible) return {0, zero};  // nothing balances the digit
   if (result.status != Status::kSolved) return {kNaN, zero};
   return {-result.objective, J * result.x.head(J.cols())};

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "grasp/closing/approach_sampling.h"
 #include "grasp/closing/fingertip_paths.h"
 #include "grasp/compare/grasp_type.h"
@@ -114,7 +114,7 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
   ability.dimension = std::min(ability.dimension, movers);  // a bent curve spans a plane
   if (ability.dimension == 0) return ability;
   // Large voxels have a thick boundary, small ones holes: use the smallest relative error.
-  double min_error = std::numeric_limits<double>::infinity();
+  double min_error = kInfinity;
   for (const double ratio : kVoxelRatios) {
     const Voxels voxels = voxels_of(along, ability.dimension, ratio * voxel);
     const double boundary = count_boundary_voxels(voxels, ability.dimension);
@@ -146,9 +146,8 @@ Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt
   std::set<Voxel> thumb, others;
   const std::vector<int> movers = movers_of_tips(hand);
   // The opposing digit is the thumb, or the first digit.
-  const std::string opposing = opposing_digit(hand).empty() && !layout.tip_points.empty()
-                                   ? layout.tip_points[0].digit
-                                   : opposing_digit(hand);
+  std::string opposing = opposing_digit(hand);
+  if (opposing.empty() && !layout.tip_points.empty()) opposing = layout.tip_points[0].digit;
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
     // Measure each workspace, and collect voxels of the opposing digit and of all others.
@@ -158,7 +157,7 @@ Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
   // Their common voxels are the overlap.
-  if (thumb.empty() || others.empty()) out.overlap = std::numeric_limits<double>::quiet_NaN();
+  if (thumb.empty() || others.empty()) out.overlap = kNaN;
   for (const Voxel& each : thumb)
     if (others.count(each) > 0) out.overlap += std::pow(kOverlapVoxelRatio * voxel, 3);
   return out;
