@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "geometry/mass_properties.h"
 #include "geometry/mesh_faults.h"
@@ -25,9 +26,7 @@ Eigen::Vector3d volume_centre(const BodySpec& body) {
 }
 
 std::vector<std::string> names_of(const WorldSpec& world) {
-  std::vector<std::string> names;
-  for (const PlacedBody& placed : world.bodies) names.push_back(placed.body.name);
-  return names;
+  return transformed(world.bodies, [](const PlacedBody& placed) { return placed.body.name; });
 }
 
 /// Calls build_solid(), with the body and its meshes named in errors.

@@ -6,9 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/closing/closing_drives.h"
+#include "grasp/closing/fingertip_paths.h"
 
 namespace thenar {
 namespace {
@@ -95,10 +97,7 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
     const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
     at->second += area;
   }
-  Matrix3Xd faces(3, sums.size());
-  Eigen::Index i = 0;
-  for (const auto& [cell, sum] : sums) faces.col(i++) = sum;
-  return faces;
+  return columns_of(sums, [](const auto& each) { return each.second; });
 }
 
 /// Points and faces of all shapes of a link, in its frame.
@@ -122,10 +121,6 @@ LinkSamples samples_of(const RobotLink& link) {
     }
   }
   return {join_columns(points), join_columns(faces)};
-}
-
-Vector3d to_hand_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
-  return link < 0 ? p : Vector3d(links[link] * p);
 }
 
 /// Transforms a point to the frame in which the points of a link's surfaces are stored.
@@ -227,11 +222,10 @@ bool BallGrasp::are_adjacent(const SampledSurface& a, const SampledSurface& b) c
 /// Returns whether points of two links come within the spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
                         const std::vector<Pose<double>>& links) {
-  const Vector3d ca = to_hand_frame(links, a.link, a.centre),
-                 cb = to_hand_frame(links, b.link, b.centre);
+  const Vector3d ca = moved_with(links, a.link, a.centre), cb = moved_with(links, b.link, b.centre);
   if ((ca - cb).norm() > a.radius + b.radius + kSelfTouchDistance) return false;
   for (Eigen::Index i = 0; i < a.p.cols(); ++i) {
-    const Vector3d p = to_link_frame(links, b.link, to_hand_frame(links, a.link, a.p.col(i)));
+    const Vector3d p = to_link_frame(links, b.link, moved_with(links, a.link, a.p.col(i)));
     if (nearest_sample(b, p, kSelfTouchDistance).second < kSelfTouchDistance) return true;
   }
   return false;
@@ -282,7 +276,7 @@ class BallGrasp::Closing {
     const std::vector<SampledSurface>& surfaces = grasp_.surfaces_;
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t a = 0; a < surfaces.size(); ++a) {
-      if (std::find(digits.begin(), digits.end(), surfaces[a].digit) == digits.end()) continue;
+      if (!contains(digits, surfaces[a].digit)) continue;
       for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::size_t pair = a * surfaces.size() + b;
         if (grasp_.are_adjacent(surfaces[a], surfaces[b]) || collided_[pair] ||
@@ -299,8 +293,7 @@ class BallGrasp::Closing {
   void stop_between(std::size_t one, std::size_t other) {
     const std::vector<int>& both = grasp_.surfaces_[other].moved_by;
     for (const int moved : grasp_.surfaces_[one].moved_by)
-      if (std::find(both.begin(), both.end(), moved) == both.end())
-        drives_.stop(moved, StoppedBy::kContact);
+      if (!contains(both, moved)) drives_.stop(moved, StoppedBy::kContact);
   }
 
   [[nodiscard]] const std::vector<Pose<double>>& links() const { return links_; }
@@ -325,7 +318,7 @@ std::vector<BallContact> BallGrasp::contacts(const std::vector<Pose<double>>& li
     const Vector3d c = to_link_frame(links, surface.link, ball.centre);
     const auto [index, distance] = nearest_sample(surface, c, ball.radius + 2 * kTouchDistance);
     if (index < 0 || distance > ball.radius + 2 * kTouchDistance) continue;
-    const Vector3d normal = ball.centre - to_hand_frame(links, surface.link, surface.p.col(index));
+    const Vector3d normal = ball.centre - moved_with(links, surface.link, surface.p.col(index));
     contacts.push_back({static_cast<int>(s), normal.normalized()});
   }
   return contacts;

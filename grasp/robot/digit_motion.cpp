@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/robot/posed_surfaces.h"
 
@@ -52,10 +53,8 @@ Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) co
   Vector3d sum = Vector3d::Zero();
   for (const int d : digit.curls) {
     const double speed = options_[option].speed[d];
-    sum += (speed > 0   ? 1
-            : speed < 0 ? -1
-                        : 0) *
-           digits_.tip_translation(static_cast<std::size_t>(d), digit);
+    const int sense = speed > 0 ? 1 : speed < 0 ? -1 : 0;
+    sum += sense * digits_.tip_translation(d, digit);
   }
   return sum.norm() > kNoTipMotion ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
@@ -64,8 +63,7 @@ Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) co
 double DigitMotion::turn_range(const HandDigit& digit) const {
   double largest = 0;
   for (const int d : digit.turns)
-    if (!digits_.spreads(static_cast<std::size_t>(d), digit))
-      largest = std::max(largest, digits_.range(static_cast<std::size_t>(d)));
+    if (!digits_.spreads(d, digit)) largest = std::max(largest, digits_.range(d));
   return largest;
 }
 
@@ -99,10 +97,10 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   const std::size_t count = digits_.digits().size();
   roles.opposed.assign(count, false);
   // Fingers move in the same direction, and do not turn far.
-  std::vector<double> turns;
-  for (const HandDigit& digit : digits_.digits()) turns.push_back(turn_range(digit));
-  std::vector<Vector3d> motions;
-  for (const HandDigit& digit : digits_.digits()) motions.push_back(curl_motion(digit, option));
+  const std::vector<double> turns =
+      transformed(digits_.digits(), [&](const auto& digit) { return turn_range(digit); });
+  const std::vector<Vector3d> motions =
+      transformed(digits_.digits(), [&](const auto& digit) { return curl_motion(digit, option); });
   std::vector<std::size_t> fingers = find_fingers(motions, turns);
   if (fingers.size() < 2) {
     // A thumb and one finger: the digit that turns farther is opposed.
@@ -165,8 +163,7 @@ VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& oth
 
 /// Returns whether every digit has at most one drive that curls it, like a jaw.
 bool DigitMotion::are_jaws() const {
-  return std::all_of(digits_.digits().begin(), digits_.digits().end(),
-                     [](const HandDigit& digit) { return digit.curls.size() <= 1; });
+  return all_of(digits_.digits(), [](const HandDigit& each) { return each.curls.size() <= 1; });
 }
 
 /// Returns the motors with the largest ranges that turn opposed digits, at most kMaxOpposingMotors.
@@ -174,9 +171,9 @@ std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) c
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.digits().size(); ++i)
     for (const int d : digits_.digits()[i].turns)
-      if (roles.opposed[i] && !digits_.spreads(static_cast<std::size_t>(d), digits_.digits()[i]) &&
-          std::find(motors.begin(), motors.end(), static_cast<std::size_t>(d)) == motors.end())
-        motors.push_back(static_cast<std::size_t>(d));
+      if (roles.opposed[i] && !digits_.spreads(d, digits_.digits()[i]) &&
+          !contains(motors, static_cast<std::size_t>(d)))
+        motors.push_back(d);
   std::stable_sort(motors.begin(), motors.end(), [&](std::size_t a, std::size_t b) {
     return digits_.range(a) > digits_.range(b);
   });
@@ -217,11 +214,8 @@ std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const Di
   const std::vector<std::size_t> motors = opposing_motors(roles);
   for (const std::size_t motor : motors) {
     std::vector<VectorXd> next = postures;  // with the motor at rest
-    for (const VectorXd& before : postures) {
-      const std::vector<VectorXd> all =
-          motor_positions(before, motor, position_count(motors.size()));
-      next.insert(next.end(), all.begin(), all.end());
-    }
+    for (const VectorXd& before : postures)
+      append_all(next, motor_positions(before, motor, position_count(motors.size())));
     postures = std::move(next);
   }
   return postures;

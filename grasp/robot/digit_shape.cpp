@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "grasp/robot/hand_digits.h"
 
 namespace thenar {
@@ -34,7 +35,7 @@ std::vector<int> HandDigits::hinges_of(const HandDigit& digit) const {
   const RobotHand& hand = grip_.hand();
   const Vector3d last = last_axis(digit);
   std::vector<int> hinges;
-  for (int link = grip_.surfaces()[digit.last].link; link >= 0; link = hand.layout().parents[link])
+  for (const int link : links_of(digit))
     if (std::abs(hand.axis(rest_, link).dot(last)) > kMinParallelCosine) hinges.push_back(link);
   std::reverse(hinges.begin(), hinges.end());
   return hinges;
@@ -77,9 +78,8 @@ void HandDigits::turn_in_range(int coordinate, double angle) {
   const HandLayout& layout = grip_.hand().layout();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     const DrivenCoordinate& first = drives_[d].moves.front();
-    const bool curls = std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& digit) {
-      return std::find(digit.curls.begin(), digit.curls.end(), static_cast<int>(d)) !=
-             digit.curls.end();
+    const bool curls = any_of(digits_, [&](const HandDigit& digit) {
+      return contains(digit.curls, static_cast<int>(d));
     });
     if (first.coordinate != coordinate || !curls) continue;
     const double before = rest_[coordinate];

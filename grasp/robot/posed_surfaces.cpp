@@ -1,5 +1,7 @@
 #include "grasp/robot/posed_surfaces.h"
 
+#include "grasp/closing/fingertip_paths.h"
+
 namespace thenar {
 
 std::vector<std::size_t> palm_surfaces(const BallGrasp& grip) {
@@ -44,10 +46,8 @@ Eigen::AlignedBox3d box_of(const BallGrasp& grip, const std::vector<std::size_t>
   Eigen::AlignedBox3d box;
   for (const std::size_t s : surfaces) {
     const SampledSurface& surface = grip.surfaces()[s];
-    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
-      const Eigen::Vector3d p = surface.p.col(i);
-      box.extend(R.transpose() * (surface.link < 0 ? p : Eigen::Vector3d(links[surface.link] * p)));
-    }
+    for (const auto& p : surface.p.colwise())
+      box.extend(R.transpose() * moved_with(links, surface.link, p));
   }
   return box;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/parallel_for.h"
 #include "data/io/robot/link_poses.h"
@@ -19,12 +20,6 @@ using Eigen::Vector3d;
 
 // Overlap of limits that counts as rounding: printed numbers have nine decimals [rad] or [m]
 constexpr double kLimitRounding = 1e-8;
-
-int index_of_dof(const RobotSpec& robot, const std::string& name) {
-  for (std::size_t i = 0; i < robot.dofs.size(); ++i)
-    if (robot.dofs[i].name == name) return static_cast<int>(i);
-  return -1;
-}
 
 /// An interval that limits make narrower.
 struct AngleInterval {
@@ -94,7 +89,7 @@ void RobotHand::add_movers(const RobotSpec& robot) {
     if (!moves) continue;
     mover_of_[child] = static_cast<int>(movers_.size());
     layout_.parents.push_back(mover_of_[parent]);
-    movers_.push_back({mover_of_[parent], 0, index_of_dof(robot, joint.dof),
+    movers_.push_back({mover_of_[parent], 0, place_named(robot.dofs, joint.dof),
                        joint.kind == RobotJointKind::kPrismatic, false, 1, joint.ratio,
                        (X.R * joint.axis).normalized(), X.p, joint.stiffness,
                        joint.rest - joint.offset, joint.curve});
@@ -158,9 +153,7 @@ void RobotHand::add_drives(const RobotSpec& robot) {
 
 /// Sets the posture in which closing begins, if any motor states a position.
 void RobotHand::set_open_posture(const RobotSpec& robot) {
-  if (std::none_of(robot.dofs.begin(), robot.dofs.end(),
-                   [](const RobotDof& dof) { return dof.open.has_value(); }))
-    return;
+  if (!any_of(robot.dofs, [](const RobotDof& dof) { return dof.open.has_value(); })) return;
   Eigen::VectorXd open = open_posture(layout_);
   for (const Mover& mover : movers_) {
     if (mover.dof < 0) continue;

@@ -1,8 +1,8 @@
 #include "grasp/robot/robot_tips.h"
 
-#include <algorithm>
 #include <map>
 
+#include "base/lists.h"
 #include "geometry/solid.h"
 
 namespace thenar {
@@ -18,9 +18,7 @@ Vector3d joint_origin(const RobotSpec& robot, const std::vector<Pose<double>>& r
     if (joint->child != link) continue;
     link = joint->parent;
     if (joint->kind == RobotJointKind::kFixed) continue;
-    const auto at = std::find_if(robot.links.begin(), robot.links.end(),
-                                 [&](const RobotLink& other) { return other.name == link; });
-    return reference[at - robot.links.begin()] * joint->X_PJ.p;
+    return reference[place_named(robot.links, link)] * joint->X_PJ.p;
   }
   return {0, 0, 0};
 }
