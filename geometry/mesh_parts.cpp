@@ -78,8 +78,7 @@ Part closed_part(TriangleMesh mesh) {
   const MeshReport report = check_mesh(mesh);
   require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
   Part part{std::move(mesh), report.volume};
-  for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
-    part.box.extend(Vector3d(part.mesh.vertices.col(i)));
+  for (const auto& p : part.mesh.vertices.colwise()) part.box.extend(Vector3d(p));
   return part;
 }
 

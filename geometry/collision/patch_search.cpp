@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/lists.h"
 #include "geometry/collision/empty_space.h"
 
 namespace thenar {
@@ -88,7 +89,7 @@ class PatchSearch {
   /// Returns whether the distances at its corners prove that no point of the part is within the
   /// level.
   [[nodiscard]] bool is_far_by_corners(const Part& part) const {
-    return std::any_of(part.seen.begin(), part.seen.end(), [&](const auto& seen) {
+    return any_of(part.seen, [&](const auto& seen) {
       if (!seen || seen->distance <= query_.level) return false;
       const Eigen::Matrix3d arms = part.corners.colwise() - seen->core;
       const double lowest = seen->supports ? (seen->normal.transpose() * arms).minCoeff()

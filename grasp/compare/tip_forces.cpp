@@ -8,8 +8,8 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "grasp/closing/closing_drives.h"
+#include "grasp/limits/force_set.h"
 #include "grasp/limits/joint_limits.h"
-#include "solvers/cone_program.h"
 
 namespace thenar {
 namespace {
@@ -94,24 +94,16 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   Eigen::VectorXd lower(m + count), upper(m + count);
   lower << a.lower, a.reactions.lower;
   upper << a.upper, a.reactions.upper;
-  std::vector<Eigen::VectorXd> rows;
-  std::vector<double> limits;
+  program.G.resize(0, n + m + count);
   const auto add = [&](Eigen::Index i, double sign, double limit) {
-    if (!std::isfinite(limit)) return;
-    rows.emplace_back(sign * Eigen::VectorXd::Unit(n + m + count, n + i));
-    limits.push_back(sign * limit);
+    if (std::isfinite(limit))
+      internal::append_limit(program, sign * Eigen::RowVectorXd::Unit(n + m + count, n + i),
+                             sign * limit);
   };
   for (Eigen::Index i = 0; i < m + count; ++i) {
     add(i, 1, upper[i]);
     add(i, -1, lower[i]);
   }
-  program.G.resize(static_cast<Eigen::Index>(rows.size()), n + m + count);
-  program.h.resize(program.G.rows());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    program.G.row(r) = rows[r];
-    program.h[r] = limits[r];
-  }
-  program.cones.assign(rows.size(), 1);
   return program;
 }
 

@@ -264,13 +264,10 @@ namespace thenar::internal {
 
 using Eigen::Index;
 
-void append_limits(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper) {
-  const Index old = forces.G.rows();
-  forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
-  forces.G.bottomRows(rows.rows()) = rows;
-  forces.h.conservativeResize(old + rows.rows());
-  forces.h.tail(rows.rows()) = upper;
-  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
+void append_variable(ConeProgram& program) {
+  append_entry(program.c, 0);
+  append_column(program.A, Eigen::VectorXd::Zero(program.A.rows()));
+  append_column(program.G, Eigen::VectorXd::Zero(program.G.rows()));
 }
 
 void append_variables(ForceSet& forces, Index count) {

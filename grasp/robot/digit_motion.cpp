@@ -143,7 +143,6 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
 /// @param farthest  maximum opening from rest of rotating drives [rad]
 VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& others,
                                          double farthest) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd open = others;
   for (std::size_t d = 0; d < digits_.drives().size(); ++d) {
     const double back = digits_.rotates_digits(d) ? farthest : kInfinity;
@@ -152,7 +151,7 @@ VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& oth
       if (rate == 0) continue;
       // Open to the limit, but not farther than allowed.
       const Eigen::Index c = driven.coordinate;
-      const double lower = layout.lower[c], upper = layout.upper[c];
+      const double lower = layout().lower[c], upper = layout().upper[c];
       open[c] = rate > 0 ? lower : upper;
       if (std::min(std::abs(lower - digits_.rest()[c]), std::abs(upper - digits_.rest()[c])) > back)
         open[c] = digits_.rest()[c] - std::copysign(back, rate);
@@ -184,14 +183,13 @@ std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) c
 /// Returns postures with a motor at several positions, from one end of its range to the other.
 std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::size_t motor,
                                                    int positions) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   std::vector<VectorXd> postures(static_cast<std::size_t>(positions), before);
   for (int i = 0; i < positions; ++i)
     for (const DrivenCoordinate& driven : digits_.drives()[motor].moves) {
       const Eigen::Index c = driven.coordinate;
       const double share = static_cast<double>(i) / (positions - 1);
-      postures[i][c] = layout.lower[c] +
-                       (driven.ratio < 0 ? 1 - share : share) * (layout.upper[c] - layout.lower[c]);
+      postures[i][c] = layout().lower[c] + (driven.ratio < 0 ? 1 - share : share) *
+                                               (layout().upper[c] - layout().lower[c]);
     }
   return postures;
 }
@@ -224,14 +222,13 @@ std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const Di
 /// Returns the posture with outer joints as far open as possible. Otherwise the ends of digits that
 /// curl towards each other meet before their middle links hold anything.
 VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   for (const HandDigit& digit : digits_.digits())
     for (std::size_t i = 1; i < digit.curls.size(); ++i) {
       const auto d = static_cast<std::size_t>(digit.curls[i]);
       for (const DrivenCoordinate& driven : digits_.drives()[d].moves) {
         const double rate = options_[option].speed[d] * driven.ratio;
         if (rate != 0)
-          open[driven.coordinate] = (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+          open[driven.coordinate] = (rate > 0 ? layout().lower : layout().upper)[driven.coordinate];
       }
     }
   return open;
@@ -239,25 +236,23 @@ VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) 
 
 /// Returns the posture with driven coordinates in the middle of their ranges, the others at rest.
 VectorXd DigitMotion::half_closed_posture(std::size_t option) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       if (options_[option].speed[d] != 0)
         q[driven.coordinate] =
-            (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
+            (layout().lower[driven.coordinate] + layout().upper[driven.coordinate]) / 2;
   return q;
 }
 
 /// Returns the posture with driven coordinates at the limit to which they close, the others at
 /// rest.
 VectorXd DigitMotion::closed_posture(std::size_t option) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       if (const double rate = options_[option].speed[d] * driven.ratio; rate != 0)
-        q[driven.coordinate] = (rate > 0 ? layout.upper : layout.lower)[driven.coordinate];
+        q[driven.coordinate] = (rate > 0 ? layout().upper : layout().lower)[driven.coordinate];
   return q;
 }
 
