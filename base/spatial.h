@@ -23,7 +23,7 @@ using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Returns the vectors that a function makes of each entry of a list as columns (rows, entries).
 template <typename List, typename Make>
-[[nodiscard]] auto columns_of(const List& list, const Make& make) {
+[[nodiscard]] auto as_columns(const List& list, const Make& make) {
   using Column = std::decay_t<decltype(make(*std::begin(list)))>;
   constexpr int rows = Column::RowsAtCompileTime;
   Eigen::Matrix<typename Column::Scalar, rows, Eigen::Dynamic> columns(rows, std::size(list));
@@ -34,8 +34,8 @@ template <typename List, typename Make>
 
 /// Returns the vectors of a list as columns (rows, entries).
 template <typename Vector>
-[[nodiscard]] auto columns_of(const std::vector<Vector>& list) {
-  return columns_of(list, [](const Vector& each) -> const Vector& { return each; });
+[[nodiscard]] auto as_columns(const std::vector<Vector>& list) {
+  return as_columns(list, [](const Vector& each) -> const Vector& { return each; });
 }
 
 /// Appends a column to a matrix.

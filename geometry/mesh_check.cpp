@@ -219,7 +219,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
     else
       ++repair.dropped;
   }
-  repair.mesh = {mesh.vertices, columns_of(kept)};
+  repair.mesh = {mesh.vertices, as_columns(kept)};
   // Agree, close, and face outwards.
   repair.turned = make_agree(repair.mesh);
   if (holes == MeshHoles::kClose) repair.closed_holes = close_holes(repair.mesh);

@@ -174,7 +174,7 @@ class Mesher {
       for (int axis = 0; axis < 3; ++axis)
         if (grid_.inside(node) != grid_.inside(node + Vector3i::Unit(axis))) add_face(node, axis);
     });
-    return {columns_of(vertices_), columns_of(triangles_)};
+    return {as_columns(vertices_), as_columns(triangles_)};
   }
 
  private:

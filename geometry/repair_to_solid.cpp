@@ -54,7 +54,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
     const Vector3i v = mesh.triangles.col(t).unaryExpr([&](int i) { return stands_for[i]; });
     if (v(0) != v(1) && v(1) != v(2) && v(2) != v(0)) kept.push_back(v);
   }
-  return {mesh.vertices, columns_of(kept)};
+  return {mesh.vertices, as_columns(kept)};
 }
 
 /// Edges of one triangle only, and that triangle.
@@ -155,7 +155,7 @@ int cut_at_corners(TriangleMesh& mesh) {
     cuts += static_cast<int>(cut.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t)
       if (cut.count(t) == 0) made.emplace_back(mesh.triangles.col(t));
-    mesh.triangles = columns_of(made);
+    mesh.triangles = as_columns(made);
   }
   return cuts;
 }
@@ -177,7 +177,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
     if (!ways[0].empty() && !ways[1].empty()) continue;
     kept.emplace_back(mesh.triangles.col((ways[0].empty() ? ways[1] : ways[0]).front()));
   }
-  return {mesh.vertices, columns_of(kept)};
+  return {mesh.vertices, as_columns(kept)};
 }
 
 /// Description of the repairs that were made.

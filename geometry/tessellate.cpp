@@ -22,7 +22,7 @@ struct Growing {
     vertices.push_back(vertex);
     return static_cast<int>(vertices.size()) - 1;
   }
-  [[nodiscard]] TriangleMesh mesh() const { return {columns_of(vertices), columns_of(triangles)}; }
+  [[nodiscard]] TriangleMesh mesh() const { return {as_columns(vertices), as_columns(triangles)}; }
 };
 
 /// Returns the point where a ray from the origin leaves the solid.

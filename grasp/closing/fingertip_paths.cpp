@@ -14,7 +14,7 @@ constexpr int kClosingIntervals = 20;  // number of time intervals of the paths
 
 Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q) {
   const std::vector<Pose<double>> links = hand.pose(q);
-  return columns_of(hand.layout().tip_points,
+  return as_columns(hand.layout().tip_points,
                     [&](const HandTip& tip) { return moved_with(links, tip.link, tip.p); });
 }
 

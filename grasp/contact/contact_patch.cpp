@@ -83,7 +83,7 @@ Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::siz
 Eigen::Matrix2Xd project_contacts(const std::vector<HandContact>& contacts,
                                   const Vector3d& normal) {
   const Tangents t = tangents(normal);
-  return columns_of(contacts, [&](const HandContact& each) {
+  return as_columns(contacts, [&](const HandContact& each) {
     return Eigen::Vector2d(t.e1.dot(each.contact.p), t.e2.dot(each.contact.p));
   });
 }
@@ -209,7 +209,7 @@ class PatchFinder {
     // Project the contact points of the region onto its tangent plane.
     const std::vector<PatchPoint> points = touching_points(region);
     const Tangents t = tangents(region.normal);
-    const Eigen::Matrix2Xd flat = columns_of(points, [&](const PatchPoint& point) {
+    const Eigen::Matrix2Xd flat = as_columns(points, [&](const PatchPoint& point) {
       return Eigen::Vector2d(t.e1.dot(point.on_b), t.e2.dot(point.on_b));
     });
     // Reduce them to corners of their convex hull.

@@ -142,7 +142,7 @@ class FaceSolid {
     // Corners of the face in its plane.
     const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
     const Eigen::Matrix2Xd flat =
-        columns_of(on, [&](int i) { return Eigen::Vector2d(a.dot(x_.col(i)), b.dot(x_.col(i))); });
+        as_columns(on, [&](int i) { return Eigen::Vector2d(a.dot(x_.col(i)), b.dot(x_.col(i))); });
     const std::vector<int> corners = corners_of(flat, tolerance_);
     // Its inward direction leads to the deepest point.
     ContactFace face = face_of(2, area(flat, corners));
@@ -193,7 +193,7 @@ std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& po
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> P = columns_of(body.points);
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> P = as_columns(body.points);
   // Dimension of the body, and its coordinates in an orthonormal basis.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
   const auto rank = (svd.singularValues().array() > tolerance).count();

@@ -135,7 +135,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
 
   // Rank of the planar wrenches.
   const Eigen::Matrix3Xd all =
-      columns_of(set.caps, [](const WrenchCap& cap) { return in_plane(cap.c); });
+      as_columns(set.caps, [](const WrenchCap& cap) { return in_plane(cap.c); });
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
   found.rank = static_cast<int>((sigma.array() > internal::kRankTolerance * sigma(0)).count());

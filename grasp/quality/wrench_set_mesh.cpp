@@ -94,7 +94,7 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
     picture.failed += found ? 0 : 1;
     picture.mesh.vertices.col(i) = (found ? reach.value : 0.0) * way.head<3>();
   }
-  picture.mesh.triangles = columns_of(sphere.triangles);
+  picture.mesh.triangles = as_columns(sphere.triangles);
   return picture;
 }
 

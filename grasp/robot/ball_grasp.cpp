@@ -97,7 +97,7 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
     const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
     at->second += area;
   }
-  return columns_of(sums, [](const auto& each) { return each.second; });
+  return as_columns(sums, [](const auto& each) { return each.second; });
 }
 
 /// Points and faces of all shapes of a link, in its frame.
