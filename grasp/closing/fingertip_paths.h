@@ -8,9 +8,8 @@
 
 namespace thenar {
 
-/// Returns where the point p of a link is with the links displaced [m] (3).
-/// @param links  Hand::pose();  @param link  -1: the base;  @param p  at the reference posture [m]
-/// (3)
+/// Returns the position of a point of a link, in the hand's frame [m] (3).
+/// @param links  Hand::pose();  @param link  -1: the base;  @param p  in the reference posture [m]
 [[nodiscard]] inline Eigen::Vector3d moved_with(const std::vector<Pose<double>>& links, int link,
                                                 const Eigen::Vector3d& p) {
   return link < 0 ? p : Eigen::Vector3d(links[link] * p);

@@ -58,11 +58,12 @@ Matrix3Xd DigitMotion::closing_axes(const HandDigit& digit, std::size_t option,
 
 /// Returns whether a digit closes by translation alone.
 bool DigitMotion::slides_only(const HandDigit& digit, std::size_t option) const {
-  return !curl_motion(digit, option).isZero(0) && all_of(digit.curls, [&](int d) {
-    return digits_.tip_rotation(d, digit).norm() < kNoMotionOfDrive;
-  }) && all_of(digits_.links_of(digit), [&](int link) {
-    return digits_.grip().hand().is_prismatic(link);
-  });
+  const auto only_translates = [&](int drive) {
+    return digits_.tip_rotation(drive, digit).norm() < kNoMotionOfDrive;
+  };
+  const auto is_slide = [&](int link) { return digits_.grip().hand().is_prismatic(link); };
+  return !curl_motion(digit, option).isZero(0) && all_of(digit.curls, only_translates) &&
+         all_of(digits_.links_of(digit), is_slide);
 }
 
 /// Returns the approach direction near a rough one: perpendicular to the axes about which digits
