@@ -3,6 +3,9 @@
 /// Rigid motions on any scalar (double, Ceres' Jet, or a vector of lanes), and wrenches.
 
 #include <cmath>
+#include <iterator>
+#include <type_traits>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -17,6 +20,37 @@ template <typename T>
 using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <typename T>
 using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Returns the vectors that a function makes of each entry of a list as columns (rows, entries).
+template <typename List, typename Make>
+[[nodiscard]] auto as_columns(const List& list, const Make& make) {
+  using Column = std::decay_t<decltype(make(*std::begin(list)))>;
+  constexpr int rows = Column::RowsAtCompileTime;
+  Eigen::Matrix<typename Column::Scalar, rows, Eigen::Dynamic> columns(rows, std::size(list));
+  Eigen::Index i = 0;
+  for (const auto& each : list) columns.col(i++) = make(each);
+  return columns;
+}
+
+/// Returns the vectors of a list as columns (rows, entries).
+template <typename Vector>
+[[nodiscard]] auto as_columns(const std::vector<Vector>& list) {
+  return as_columns(list, [](const Vector& each) -> const Vector& { return each; });
+}
+
+/// Appends a column to a matrix.
+template <typename Matrix, typename Column>
+void append_column(Matrix& matrix, const Column& column) {
+  matrix.conservativeResize(column.size(), matrix.cols() + 1);
+  matrix.rightCols(1) = column;
+}
+
+/// Appends an entry to a vector.
+template <typename Vector>
+void append_entry(Vector& vector, double entry) {
+  vector.conservativeResize(vector.size() + 1);
+  vector(vector.size() - 1) = entry;
+}
 
 /// Rigid transform X_AB from coordinates of frame B to those of frame A:  p_A = R_AB p_B + p_AB.
 template <typename T>
@@ -83,13 +117,20 @@ struct Tangents {
           {b, sign + d.y() * d.y() * a, -d.y()}};
 }
 
+/// Returns the rotation to the frame (e1, e2, d) of the tangents of `d`. (3, 3)
+[[nodiscard]] inline Eigen::Matrix3d basis_along(const Eigen::Vector3d& d) {
+  const Tangents across = tangents(d);
+  Eigen::Matrix3d R;
+  R << across.e1, across.e2, d;
+  return R;
+}
+
 /// Returns a frame at a point whose axes are the tangents of a unit direction and, as z, the
 /// direction itself.
 [[nodiscard]] inline Pose<double> frame_with_z(const Eigen::Vector3d& direction,
                                                const Eigen::Vector3d& point) {
-  const Tangents sides = tangents(direction);
   Pose<double> frame;
-  frame.R << sides.e1, sides.e2, direction;
+  frame.R = basis_along(direction);
   frame.p = point;
   return frame;
 }

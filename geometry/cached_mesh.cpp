@@ -34,8 +34,7 @@ std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
                     triangles = 3 * sizeof(int) * counts[1];
   if (bytes.size() != sizeof(Counts) + vertices + triangles) return std::nullopt;
   // Vertices and triangles, which must name vertices.
-  TriangleMesh mesh{Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(counts[0])),
-                    Eigen::Matrix3Xi(3, static_cast<Eigen::Index>(counts[1]))};
+  TriangleMesh mesh{Eigen::Matrix3Xd(3, counts[0]), Eigen::Matrix3Xi(3, counts[1])};
   std::memcpy(mesh.vertices.data(), bytes.data() + sizeof(Counts), vertices);
   std::memcpy(mesh.triangles.data(), bytes.data() + sizeof(Counts) + vertices, triangles);
   const bool sound = mesh.triangles.minCoeff() >= 0 &&

@@ -25,9 +25,7 @@ ShapeSpec capsule_between(const Ends& ends) {
   ShapeSpec shape;
   shape.kind = ShapeKind::kTaperedCapsule;
   shape.size = {ends[6], ends[7], (to - from).norm()};
-  const Vector3d along = (to - from).normalized();
-  const Tangents across = tangents(along);
-  shape.X_BS.R << across.e1, across.e2, along;
+  shape.X_BS.R = basis_along((to - from).normalized());
   shape.X_BS.p = (from + to) / 2;
   return shape;
 }

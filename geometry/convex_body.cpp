@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.h"
 #include "base/stop_scope.h"
 
 namespace thenar {
@@ -230,8 +230,7 @@ struct HeightRange {
 };
 
 HeightRange heights_over(const ConvexBody& body, const HalfSpace& side) {
-  HeightRange range{std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
+  HeightRange range{kInfinity, -kInfinity};
   for (const Polygon& face : body.faces)
     for (const Vector3d& p : face) {
       const double h = side.n.dot(p) - side.offset;

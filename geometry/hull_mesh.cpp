@@ -1,16 +1,15 @@
 #include "geometry/hull_mesh.h"
 
-#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -68,21 +67,14 @@ void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
 /// Uniform in [-1/2, 1/2).
 double draw(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0 - 0.5; }
 
-/// Returns the minimum over the maximum extent along the axes of inertia.
-double thickness(const Matrix3Xd& p) {
-  const Matrix3Xd r = p.colwise() - Vector3d(p.rowwise().mean());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
-  const Matrix3Xd along = axes.eigenvectors().transpose() * r;
-  const Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
-  return extent.minCoeff() / extent.maxCoeff();
-}
-
 }  // namespace
 
 TriangleMesh hull_mesh(const Matrix3Xd& points) {
   require(points.allFinite(), "a hull has a point that is not finite");
   // Points moved a little, so that no four lie in a plane.
-  if (points.cols() < 4 || !(thickness(points) > 1e-4)) return {};
+  if (points.cols() < 4) return {};
+  const Vector3d extents = principal_extents(points);
+  if (!(extents.minCoeff() / extents.maxCoeff() > 1e-4)) return {};
   Matrix3Xd p = points;
   const double size = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
   std::mt19937 random(1);
@@ -93,7 +85,7 @@ TriangleMesh hull_mesh(const Matrix3Xd& points) {
   std::vector<Facet> facets{facet_of(p, a, b, c), facet_of(p, a, d, b), facet_of(p, b, d, c),
                             facet_of(p, c, d, a)};
   for (int i = 0; i < static_cast<int>(p.cols()); ++i)
-    if (std::find(first.begin(), first.end(), i) == first.end()) add_point(p, i, facets);
+    if (!contains(first, i)) add_point(p, i, facets);
 
   std::map<int, int> number;
   TriangleMesh hull{{}, Eigen::Matrix3Xi(3, facets.size())};
@@ -101,7 +93,7 @@ TriangleMesh hull_mesh(const Matrix3Xd& points) {
     for (int k = 0; k < 3; ++k)
       hull.triangles(k, static_cast<Eigen::Index>(i)) =
           number.emplace(facets[i].corners(k), static_cast<int>(number.size())).first->second;
-  hull.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
+  hull.vertices.resize(3, number.size());
   for (const auto& [old, now] : number) hull.vertices.col(now) = p.col(old);
   return hull;
 }

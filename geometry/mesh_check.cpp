@@ -99,12 +99,6 @@ double volume_of(const TriangleMesh& mesh) {
   return volume;
 }
 
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<Vector3i>& kept) {
-  TriangleMesh out{mesh.vertices, Eigen::Matrix3Xi(3, kept.size())};
-  for (std::size_t i = 0; i < kept.size(); ++i) out.triangles.col(i) = kept[i];
-  return out;
-}
-
 /// Returns whether a triangle walks edge k of another in the same direction as this one.
 bool same_way(const TriangleMesh& mesh, int t, int k, int other) {
   const int from = mesh.triangles(k, t), to = mesh.triangles((k + 1) % 3, t);
@@ -135,13 +129,9 @@ int make_agree(TriangleMesh& mesh) {
     }
   }
   // Turn those that disagree.
-  int turned = 0;
-  for (int t = 0; t < count; ++t) {
-    if (!to_turn[t]) continue;
-    std::swap(mesh.triangles(1, t), mesh.triangles(2, t));
-    ++turned;
-  }
-  return turned;
+  for (int t = 0; t < count; ++t)
+    if (to_turn[t]) std::swap(mesh.triangles(1, t), mesh.triangles(2, t));
+  return static_cast<int>(std::count(to_turn.begin(), to_turn.end(), true));
 }
 
 /// A fan around the centre of each hole; returns how many.
@@ -152,8 +142,7 @@ int close_holes(TriangleMesh& mesh) {
     if (hole.loop.size() < 3) continue;
     const auto centre = static_cast<int>(mesh.vertices.cols());
     const auto edges = static_cast<Eigen::Index>(hole.loop.size());
-    mesh.vertices.conservativeResize(3, centre + 1);
-    mesh.vertices.col(centre) = hole.centre;
+    append_column(mesh.vertices, hole.centre);
     const Eigen::Index old = mesh.triangles.cols();
     mesh.triangles.conservativeResize(3, old + edges);
     for (Eigen::Index i = 0; i < edges; ++i)
@@ -211,7 +200,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   const auto count = static_cast<std::size_t>(mesh.triangles.cols());
   std::vector<std::array<int, 4>> by_corners(count);  // sorted corners, triangle
   for (std::size_t t = 0; t < count; ++t) {
-    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    const Vector3i v = mesh.triangles.col(t);
     by_corners[t] = {v(0), v(1), v(2), static_cast<int>(t)};
     std::sort(by_corners[t].begin(), by_corners[t].begin() + 3);
   }
@@ -224,13 +213,13 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   // Keep the rest, unless it has no area.
   std::vector<Vector3i> kept;
   for (std::size_t t = 0; t < count; ++t) {
-    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    const Vector3i v = mesh.triangles.col(t);
     if (!again[t] && !is_degenerate(mesh, v))
       kept.push_back(v);
     else
       ++repair.dropped;
   }
-  repair.mesh = with_triangles(mesh, kept);
+  repair.mesh = {mesh.vertices, as_columns(kept)};
   // Agree, close, and face outwards.
   repair.turned = make_agree(repair.mesh);
   if (holes == MeshHoles::kClose) repair.closed_holes = close_holes(repair.mesh);

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "base/lists.h"
 #include "geometry/mesh_check.h"
@@ -15,18 +14,9 @@ namespace {
 // Flat meshes are thinner, over the extent; above rounding of single precision [1]
 constexpr double kFlatShare = 1e-6;
 
-/// The corners that triangles use (3, n).
-Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
-  Eigen::Matrix3Xd corners(3, mesh.triangles.size());
-  for (Eigen::Index i = 0; i < mesh.triangles.size(); ++i)
-    corners.col(i) = mesh.vertices.col(mesh.triangles(i));
-  return corners;
-}
-
 /// A hole that a corner on an edge leaves: all its corners are in line.
 bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
-  Eigen::Matrix3Xd loop(3, static_cast<Eigen::Index>(hole.loop.size()));
-  for (Eigen::Index i = 0; i < loop.cols(); ++i) loop.col(i) = mesh.vertices.col(hole.loop[i]);
+  const Eigen::Matrix3Xd loop = mesh.vertices(Eigen::all, hole.loop);
   // The corner farthest from the first gives the line.
   Eigen::Index far = 0;
   const Eigen::Matrix3Xd r = loop.colwise() - loop.col(0);
@@ -40,11 +30,8 @@ bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
 
 bool is_flat(const TriangleMesh& mesh) {
   if (mesh.empty()) return true;
-  const Eigen::Matrix3Xd corners = used_corners(mesh);
-  const Eigen::Matrix3Xd r = corners.colwise() - Eigen::Vector3d(corners.rowwise().mean());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
-  const Eigen::Matrix3Xd along = axes.eigenvectors().transpose() * r;
-  const Eigen::Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
+  const Eigen::VectorXi corners = mesh.triangles.reshaped();
+  const Eigen::Vector3d extent = principal_extents(mesh.vertices(Eigen::all, corners));
   return extent.minCoeff() <= kFlatShare * extent.maxCoeff();
 }
 

@@ -27,6 +27,15 @@ int edge_between(int a, int b) {
       return edge;
 }
 
+/// Visits the nodes from `low` up to, but not including, `high`, along x first.
+template <typename Visit>
+void for_each_node(const Vector3i& low, const Vector3i& high, int step, const Visit& visit) {
+  Vector3i node;
+  for (node.z() = low.z(); node.z() < high.z(); node.z() += step)
+    for (node.y() = low.y(); node.y() < high.y(); node.y() += step)
+      for (node.x() = low.x(); node.x() < high.x(); node.x() += step) visit(node);
+}
+
 /// Patches of the surface in a cell, by the set of its corners that are inside (bits).
 struct Passage {
   int patches = 0;
@@ -113,12 +122,10 @@ class Grid {
     require(nodes.prod() < 1e8, "cells of {} m are too small for a solid of {} m: {} nodes", cell,
             box.sizes().maxCoeff(), nodes.prod());
     size_ = nodes.cast<int>();
-    value_.resize(static_cast<std::size_t>(nodes.prod()));
+    value_.resize(nodes.prod());
     // Distances block by block.
-    Vector3i low;
-    for (low.z() = 0; low.z() < size_.z(); low.z() += kBlockCubes)
-      for (low.y() = 0; low.y() < size_.y(); low.y() += kBlockCubes)
-        for (low.x() = 0; low.x() < size_.x(); low.x() += kBlockCubes) fill_block(solid, low);
+    for_each_node(Vector3i::Zero(), size_, kBlockCubes,
+                  [&](const Vector3i& low) { fill_block(solid, low); });
   }
   [[nodiscard]] const Vector3i& size() const { return size_; }
   [[nodiscard]] Vector3d at(const Vector3i& node) const {
@@ -142,15 +149,12 @@ class Grid {
         solid.distance(at(low) + Vector3d::Constant(cell_ / 2 * (kBlockCubes - 1)));
     const bool far = std::abs(middle) > reach;
     // Evaluate nodes near the surface one by one; the border counts as outside.
-    Vector3i node;
-    for (node.z() = low.z(); node.z() < high.z(); ++node.z())
-      for (node.y() = low.y(); node.y() < high.y(); ++node.y())
-        for (node.x() = low.x(); node.x() < high.x(); ++node.x()) {
-          double& value = value_[index(node)];
-          value = far ? middle : solid.distance(at(node));
-          const bool border = (node.array() < 2).any() || (node.array() > size_.array() - 3).any();
-          if (border) value = std::max(value, 1e-12 * cell_);
-        }
+    for_each_node(low, high, 1, [&](const Vector3i& node) {
+      double& value = value_[index(node)];
+      value = far ? middle : solid.distance(at(node));
+      const bool border = (node.array() < 2).any() || (node.array() > size_.array() - 3).any();
+      if (border) value = std::max(value, 1e-12 * cell_);
+    });
   }
 
   double cell_;
@@ -170,21 +174,14 @@ class Mesher {
       for (int axis = 0; axis < 3; ++axis)
         if (grid_.inside(node) != grid_.inside(node + Vector3i::Unit(axis))) add_face(node, axis);
     });
-    TriangleMesh mesh{Eigen::Matrix3Xd(3, vertices_.size()),
-                      Eigen::Matrix3Xi(3, triangles_.size())};
-    for (std::size_t i = 0; i < vertices_.size(); ++i) mesh.vertices.col(i) = vertices_[i];
-    for (std::size_t i = 0; i < triangles_.size(); ++i) mesh.triangles.col(i) = triangles_[i];
-    return mesh;
+    return {as_columns(vertices_), as_columns(triangles_)};
   }
 
  private:
   /// Nodes from `first` that have a neighbour in every direction.
   template <typename Visit>
   void for_each(const Vector3i& first, const Visit& visit) const {
-    Vector3i node;
-    for (node.z() = first.z(); node.z() + 1 < grid_.size().z(); ++node.z())
-      for (node.y() = first.y(); node.y() + 1 < grid_.size().y(); ++node.y())
-        for (node.x() = first.x(); node.x() + 1 < grid_.size().x(); ++node.x()) visit(node);
+    for_each_node(first, grid_.size() - Vector3i::Ones(), 1, visit);
   }
 
   static Vector3i corner(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }

@@ -41,11 +41,8 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
       part.triangles(k, static_cast<Eigen::Index>(i)) = now;
     }
   // Vertices in that order; the numbers are given back.
-  part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
-    number[vertices[i]] = -1;
-  }
+  part.vertices = mesh.vertices(Eigen::all, vertices);
+  for (const int vertex : vertices) number[vertex] = -1;
   return part;
 }
 
@@ -81,8 +78,7 @@ Part closed_part(TriangleMesh mesh) {
   const MeshReport report = check_mesh(mesh);
   require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
   Part part{std::move(mesh), report.volume};
-  for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
-    part.box.extend(Vector3d(part.mesh.vertices.col(i)));
+  for (const auto& p : part.mesh.vertices.colwise()) part.box.extend(Vector3d(p));
   return part;
 }
 
@@ -158,8 +154,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
     for (std::size_t i = 0; i < members.size(); ++i)
       for (int k = 0; k < 3; ++k) {
         const int other = across(k, members[i]);
-        if (other < 0) continue;
-        if (seen[other]) continue;
+        if (other < 0 || seen[other]) continue;
         seen[other] = true;
         members.push_back(other);
       }

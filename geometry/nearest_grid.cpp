@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/lists.h"
+
 namespace thenar::internal {
 
 using Eigen::Vector3d, Eigen::Vector3i;
@@ -93,10 +95,7 @@ std::vector<NearestGrid::Candidate> NearestGrid::find_candidates(const Block& bl
     if (distance <= least + 2 * reach) here.push_back({distance, triangle});
   }
   // Triangles too far for any point of the cube.
-  const auto end = std::remove_if(here.begin(), here.end(), [&](const Candidate& candidate) {
-    return candidate.distance > least + 2 * reach;
-  });
-  here.erase(end, here.end());
+  erase_where(here, [&](const Candidate& each) { return each.distance > least + 2 * reach; });
   // Long lists are worth a sharper test; the nearest comes first.
   if (here.size() > kFewCandidates) remove_dominated(block, here, tree);
   std::swap(here.front(), *std::min_element(here.begin(), here.end(), is_nearer));
@@ -137,8 +136,7 @@ void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& h
   std::array<PerCorner, 8> rival;
   for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].point) + rounding;
   const auto beaten = [&](const PerCorner& distance) {
-    return std::any_of(rival.begin(), rival.end(),
-                       [&](const PerCorner& point) { return (distance > point).all(); });
+    return any_of(rival, [&](const PerCorner& point) { return (distance > point).all(); });
   };
   // Triangles that a rival beats everywhere go, by their ball or exactly.
   std::size_t kept = 0;
@@ -174,8 +172,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
   // A divided cube.
   if (block.level > 0 && here.size() > kFewCandidates && edge > share_ * far && !in_vain) {
     auto divided = std::make_unique<Divided>();
-    divided->triangles.reserve(here.size());
-    for (const Candidate& candidate : here) divided->triangles.push_back(candidate.triangle);
+    divided->triangles = transformed(here, [](const Candidate& each) { return each.triangle; });
     cell.divided = divided.get();
     divided_.push_back(std::move(divided));
     cell.count.store(kDivided, std::memory_order_release);

@@ -15,6 +15,7 @@
 
 #include "base/cache.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_faults.h"
@@ -26,25 +27,6 @@ namespace {
 using Eigen::Vector3d, Eigen::Vector3i;
 
 const char* const kLeftOut = "part(s) that enclose nothing left out";
-
-double area_of(const TriangleMesh& mesh) {
-  double area = 0;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
-    area += (mesh.vertices.col(mesh.triangles(1, t)) - a)
-                .cross(mesh.vertices.col(mesh.triangles(2, t)) - a)
-                .norm() /
-            2;
-  }
-  return area;
-}
-
-TriangleMesh with(const TriangleMesh& mesh, const std::vector<Vector3i>& triangles) {
-  TriangleMesh out{mesh.vertices, Eigen::Matrix3Xi(3, triangles.size())};
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    out.triangles.col(static_cast<Eigen::Index>(i)) = triangles[i];
-  return out;
-}
 
 /// Corners within `near` of one that came before become that one [m].
 TriangleMesh welded(const TriangleMesh& mesh, double near) {
@@ -72,7 +54,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
     const Vector3i v = mesh.triangles.col(t).unaryExpr([&](int i) { return stands_for[i]; });
     if (v(0) != v(1) && v(1) != v(2) && v(2) != v(0)) kept.push_back(v);
   }
-  return with(mesh, kept);
+  return {mesh.vertices, as_columns(kept)};
 }
 
 /// Edges of one triangle only, and that triangle.
@@ -125,10 +107,7 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
       on.emplace_back(along, at->second);
   }
   std::sort(on.begin(), on.end());
-  std::vector<int> vertices;
-  vertices.reserve(on.size());
-  for (const auto& [along, vertex] : on) vertices.push_back(vertex);
-  return vertices;
+  return transformed(on, [](const auto& each) { return each.second; });
 }
 
 /// Returns the number of a triangle's edge between two of its vertices.
@@ -164,7 +143,7 @@ int cut_at_corners(TriangleMesh& mesh) {
       const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t),
                 c = mesh.triangles((k + 2) % 3, t);
       std::vector<int> on = vertices_on(mesh, loose, a, b, near);
-      on.erase(std::remove(on.begin(), on.end(), c), on.end());
+      erase_where(on, [&](int vertex) { return vertex == c; });
       if (on.empty()) continue;
       cut.insert(t);
       on.push_back(b);
@@ -176,7 +155,7 @@ int cut_at_corners(TriangleMesh& mesh) {
     cuts += static_cast<int>(cut.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t)
       if (cut.count(t) == 0) made.emplace_back(mesh.triangles.col(t));
-    mesh = with(mesh, made);
+    mesh.triangles = as_columns(made);
   }
   return cuts;
 }
@@ -198,7 +177,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
     if (!ways[0].empty() && !ways[1].empty()) continue;
     kept.emplace_back(mesh.triangles.col((ways[0].empty() ? ways[1] : ways[0]).front()));
   }
-  return with(mesh, kept);
+  return {mesh.vertices, as_columns(kept)};
 }
 
 /// Description of the repairs that were made.
@@ -284,17 +263,14 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   return {joined(solids), done.text()};
 }
 
-bool same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
-  return a.triangles.cols() == b.triangles.cols() && a.triangles == b.triangles;
-}
-
 /// A mesh that bounds no solid, whatever it takes.
 RepairedSolid mended(const TriangleMesh& mesh) {
   // Corners at the same place first.
   const TriangleMesh merged = best_welded(mesh);
   if (merged.empty()) return hull_of(mesh);
   Done merging;
-  if (!same_triangles(merged, mesh)) merging.add("corners at the same place joined");
+  if (merged.triangles.cols() != mesh.triangles.cols() || merged.triangles != mesh.triangles)
+    merging.add("corners at the same place joined");
   std::vector<RepairedSolid> tries;
   // With inner walls, then without them.
   for (const bool walls : {true, false}) {

@@ -280,7 +280,7 @@ std::vector<Parts> clusters_of(const std::vector<UnionPart>& parts) {
     for (std::size_t j = 0; j < i; ++j) {
       if (group[j] == group[i] || common_box(parts[i], parts[j]).isEmpty()) continue;
       const std::size_t from = group[j], to = group[i];
-      std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, from, to);
+      std::replace(group.begin(), group.begin() + i + 1, from, to);
     }
   }
   std::vector<Parts> clusters(parts.size());
@@ -293,7 +293,7 @@ class CubeSum {
  public:
   /// @param excess  the sum of the parts less their union; else their union
   /// @param looks  that it may take
-  CubeSum(const std::vector<const UnionPart*>& parts, bool excess, int depth, double looks)
+  CubeSum(const Parts& parts, bool excess, int depth, double looks)
       : parts_(parts), excess_(excess), depth_(depth), left_(looks) {}
 
   /// Returns whether it got to the end; else what it summed means nothing.
@@ -310,11 +310,10 @@ class CubeSum {
 
  private:
   // NOLINTNEXTLINE(misc-no-recursion): as deep as cubes are halved
-  void add(const Eigen::AlignedBox3d& box, int level, const std::vector<const UnionPart*>& above,
-           int whole = 0) {
+  void add(const Eigen::AlignedBox3d& box, int level, const Parts& above, int whole = 0) {
     // Parts that fill the cube, and those whose surfaces may pass through it.
     const double reach = box.diagonal().norm() / 2;
-    std::vector<const UnionPart*> through;
+    Parts through;
     end_if_stopped();
     left_ -= kPassWeight * static_cast<double>(above.size());
     if (!complete()) return;
@@ -348,8 +347,7 @@ class CubeSum {
   }
 
   /// Adds a smallest cube, in which each part is the space below the plane nearest to the middle.
-  void add_cut(const Eigen::AlignedBox3d& box, const std::vector<const UnionPart*>& through,
-               int whole) {
+  void add_cut(const Eigen::AlignedBox3d& box, const Parts& through, int whole) {
     // Each part as the cube below its nearest plane.
     std::vector<ConvexBody> filled;
     for (const UnionPart* part : through) {
@@ -376,7 +374,7 @@ class CubeSum {
   // Cost of passing by a part, in evaluations of a distance [1]
   static constexpr double kPassWeight = 0.1;
 
-  const std::vector<const UnionPart*>& parts_;
+  const Parts& parts_;
   bool excess_;
   int depth_;
   double left_;
@@ -385,7 +383,7 @@ class CubeSum {
 };
 
 /// A cube around all that two parts may have in common, or around all parts.
-Eigen::AlignedBox3d cube_around(const std::vector<const UnionPart*>& parts, bool excess) {
+Eigen::AlignedBox3d cube_around(const Parts& parts, bool excess) {
   Eigen::AlignedBox3d box;
   excess = excess && parts.size() <= kFewParts;
   for (const UnionPart* a : parts) {
@@ -406,14 +404,14 @@ struct Summed {
 /// Computes the moments of a part without a closed form by coarse cubes; if these take too long,
 /// returns the moments of its box.
 Moments coarse_moments(const UnionPart& part, double looks) {
-  const std::vector<const UnionPart*> alone{&part};
+  const Parts alone{&part};
   CubeSum cubes(alone, false, kCoarseDepth, looks);
   const Moments sum = cubes.over(cube_around(alone, false));
   return cubes.complete() ? sum : moments_of(convex_box(part.box));
 }
 
 /// Returns the sum of the parts, regardless of overlaps: their union contains the largest of them.
-Summed upper_bound(const std::vector<const UnionPart*>& parts) {
+Summed upper_bound(const Parts& parts) {
   const double looks = kMaxEvaluations / static_cast<double>(parts.size());
   Summed result;
   double largest = 0;
@@ -429,7 +427,7 @@ Summed upper_bound(const std::vector<const UnionPart*>& parts) {
 /// Sums over finer and finer cubes, as far as the work goes; the change at the last step is the
 /// error. Where not even coarse cubes can be summed it is the upper bound.
 /// @param looks  that it may take
-Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
+Summed sum_cubes(const Parts& parts, double looks) {
   Moments all;
   for (const UnionPart* part : parts) all += part->moments;
   // The excess of parts that overlap little is smaller than their union, and so is its error.
@@ -460,7 +458,7 @@ Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
 }
 
 /// @param share  of all work that these parts may take
-Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double share) {
+Summed moments_of_cluster(const Parts& parts, double share) {
   // Alone, or all of them convex: exact.
   if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
   std::vector<ConvexBody> convex;
@@ -483,7 +481,7 @@ UnionMass union_mass(const std::vector<ShapeSpec>& shapes) {
   // Groups of overlapping parts, each with its share of the work.
   Moments sum;
   double error = 0;
-  for (const auto& cluster : clusters_of(parts)) {
+  for (const Parts& cluster : clusters_of(parts)) {
     if (cluster.empty()) continue;
     const double share = static_cast<double>(cluster.size()) / static_cast<double>(parts.size());
     const Summed found = moments_of_cluster(cluster, share);

@@ -134,20 +134,9 @@ RoundedMesh touch_of(const ShapeSpec& spec, const Shape& shape) {
   return touch;
 }
 
-void move(TriangleMesh& mesh, const Pose<double>& X) {
-  mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
-}
-
 /// A spec without its triangles.
 ShapeSpec without_mesh(const ShapeSpec& spec) {
-  ShapeSpec bare;
-  bare.kind = spec.kind;
-  bare.size = spec.size;
-  bare.exponents = spec.exponents;
-  bare.mesh_file = spec.mesh_file;
-  bare.mesh_scale = spec.mesh_scale;
-  bare.X_BS = spec.X_BS;
-  return bare;
+  return {spec.kind, spec.size, spec.exponents, {}, spec.mesh_file, spec.mesh_scale, spec.X_BS};
 }
 
 /// A mesh as one shape for each solid that it bounds; others as they are.
@@ -177,8 +166,8 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
       const std::shared_ptr<const Shape> shape = shape_of(spec);
       solid.collision.push_back(touch_of(spec, *shape));
       pictures.push_back(surface_of(spec, *shape, 4 * touch_tolerance(*shape)));
-      move(solid.collision.back().core, spec.X_BS);
-      move(pictures.back(), spec.X_BS);
+      move_by(solid.collision.back().core, spec.X_BS);
+      move_by(pictures.back(), spec.X_BS);
       parts.push_back(place(shape, spec.X_BS));
       solid.parts.push_back({without_mesh(spec), shape});
     }

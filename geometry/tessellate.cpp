@@ -22,12 +22,7 @@ struct Growing {
     vertices.push_back(vertex);
     return static_cast<int>(vertices.size()) - 1;
   }
-  [[nodiscard]] TriangleMesh mesh() const {
-    TriangleMesh done{Eigen::Matrix3Xd(3, vertices.size()), Eigen::Matrix3Xi(3, triangles.size())};
-    for (std::size_t i = 0; i < vertices.size(); ++i) done.vertices.col(i) = vertices[i];
-    for (std::size_t i = 0; i < triangles.size(); ++i) done.triangles.col(i) = triangles[i];
-    return done;
-  }
+  [[nodiscard]] TriangleMesh mesh() const { return {as_columns(vertices), as_columns(triangles)}; }
 };
 
 /// Returns the point where a ray from the origin leaves the solid.

@@ -2,7 +2,31 @@
 
 #include <algorithm>
 
+#include <Eigen/Eigenvalues>
+
 namespace thenar {
+
+using Eigen::Vector3d;
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles.colwise()) {
+    const Vector3d a = mesh.vertices.col(t(0));
+    area += (mesh.vertices.col(t(1)) - a).cross(mesh.vertices.col(t(2)) - a).norm() / 2;
+  }
+  return area;
+}
+
+Vector3d principal_extents(const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd r = points.colwise() - Vector3d(points.rowwise().mean());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
+  const Eigen::Matrix3Xd along = axes.eigenvectors().transpose() * r;
+  return along.rowwise().maxCoeff() - along.rowwise().minCoeff();
+}
+
+void move_by(TriangleMesh& mesh, const Pose<double>& X) {
+  mesh.vertices = ((X.R * mesh.vertices).colwise() + X.p).eval();
+}
 
 std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh) {
   // Dealt out by the lesser vertex; few share one, so that the rest is quickly sorted.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <Eigen/Core>
+#include "base/spatial.h"
 
 namespace thenar {
 
@@ -15,6 +15,15 @@ struct TriangleMesh {
 
   [[nodiscard]] bool empty() const { return triangles.cols() == 0; }
 };
+
+/// Returns the area of all triangles [m^2].
+[[nodiscard]] double area_of(const TriangleMesh& mesh);
+
+/// Returns the extents of points along the axes of inertia of equal masses there [m] (3).
+[[nodiscard]] Eigen::Vector3d principal_extents(const Eigen::Matrix3Xd& points);
+
+/// Moves a mesh, or changes its frame.
+void move_by(TriangleMesh& mesh, const Pose<double>& X);
 
 // Edges of a mesh and the triangles that meet there.
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include "base/units.h"
 

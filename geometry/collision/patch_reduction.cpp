@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -114,9 +115,7 @@ class Polygon {
   }
 
   [[nodiscard]] std::vector<int> corners() const {
-    std::vector<int> corners;
-    for (const std::size_t k : kept_) corners.push_back(hull_[k]);
-    return corners;
+    return transformed(kept_, [&](std::size_t k) { return hull_[k]; });
   }
 
  private:

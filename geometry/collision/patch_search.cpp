@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/lists.h"
 #include "geometry/collision/empty_space.h"
 
 namespace thenar {
@@ -88,7 +89,7 @@ class PatchSearch {
   /// Returns whether the distances at its corners prove that no point of the part is within the
   /// level.
   [[nodiscard]] bool is_far_by_corners(const Part& part) const {
-    return std::any_of(part.seen.begin(), part.seen.end(), [&](const auto& seen) {
+    return any_of(part.seen, [&](const auto& seen) {
       if (!seen || seen->distance <= query_.level) return false;
       const Eigen::Matrix3d arms = part.corners.colwise() - seen->core;
       const double lowest = seen->supports ? (seen->normal.transpose() * arms).minCoeff()
@@ -111,7 +112,7 @@ class PatchSearch {
       // Exclude it by the distance at its centre.
       const NearestSurface near = b_.nearest(ball.c);
       if (bound_of(part, ball, near) > query_.level) continue;
-      const PatchPoint middle = point_at(ball.c, near, part.radius);
+      const PatchPoint middle = patch_point(ball.c, near, part.radius);
       if (is_kept(part, ball, middle)) continue;
       for (const Part& half : halve_part(part, middle)) parts.push_back(half);
     }
@@ -119,13 +120,7 @@ class PatchSearch {
 
   PatchPoint evaluate(const Eigen::Vector3d& core, double radius) {
     ++evaluations_;
-    return point_at(core, b_.nearest(core), radius);
-  }
-
-  static PatchPoint point_at(const Eigen::Vector3d& core, const NearestSurface& near,
-                             double radius) {
-    return {core,   near.distance - radius, core - near.distance * near.normal, near.normal,
-            radius, near.supports};
+    return patch_point(core, b_.nearest(core), radius);
   }
 
   [[nodiscard]] bool is_inside(const PatchPoint& point) const {

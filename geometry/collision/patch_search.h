@@ -22,6 +22,13 @@ struct PatchPoint {
   bool supports = false;            // NearestSurface::supports
 };
 
+/// Returns the point of A's core with the surface of B nearest to it. @param radius  of A there [m]
+[[nodiscard]] inline PatchPoint patch_point(const Eigen::Vector3d& core, const NearestSurface& near,
+                                            double radius) {
+  return {core,   near.distance - radius, core - near.distance * near.normal, near.normal,
+          radius, near.supports};
+}
+
 /// A piece of a triangle of A that is near B.
 struct PatchPiece {
   Ball ball;                       // bounding ball of its core [m]

@@ -1,12 +1,10 @@
 #include "geometry/collision/signed_distance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/distance_record.h"
 #include "geometry/collision/segment_search.h"
 
@@ -33,7 +31,7 @@ int lowest_triangle(const CollisionTree& a, const Eigen::Vector3d& n) {
   int best = 0;
   std::vector<int> nodes{0};
   while (!nodes.empty()) {
-    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
+    const CollisionNode& node = a.nodes[nodes.back()];
     nodes.pop_back();
     if (n.dot(node.ball.c) - node.ball.r >= lowest) continue;
     // Inner nodes add their children.
@@ -43,7 +41,7 @@ int lowest_triangle(const CollisionTree& a, const Eigen::Vector3d& n) {
       continue;
     }
     // A leaf has the lowest corner of its triangle.
-    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
+    const SweptTriangle& t = a.triangles[node.triangle];
     const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
     if (low < lowest) lowest = low, best = node.triangle;
   }
@@ -186,9 +184,7 @@ class DistanceSearch {
     push({seen, -1, static_cast<int>(pieces_.size()) - 1});
   }
 
-  [[nodiscard]] bool is_segment(int triangle) const {
-    return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
-  }
+  [[nodiscard]] bool is_segment(int triangle) const { return a_.triangles[triangle].n.isZero(0); }
 
   /// Adds a node of the tree to the queue.
   void add_node(int index, double parent) {

@@ -48,12 +48,8 @@ SegmentParameters nearest_balls(const BallHull& a, const BallHull& b) {
 ManifoldPoint ball_on_shape(const BallHull& a, const Shape& b, double t) {
   const Vector3d p = a.centre(t);
   const NearestSurface seen = b.nearest(p);
-  ManifoldPoint point;
-  point.on_a = p - a.radius(t) * seen.normal;
-  point.on_b = p - seen.distance * seen.normal;
-  point.normal = seen.normal;
-  point.gap = seen.distance - a.radius(t);
-  return point;
+  return {p - a.radius(t) * seen.normal, p - seen.distance * seen.normal, seen.normal,
+          seen.distance - a.radius(t)};
 }
 
 }  // namespace thenar::internal

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "geometry/manifold/convex_distance.h"
 
 namespace thenar::internal {
@@ -21,9 +21,9 @@ struct BoxPair {
 
 /// A direction that may separate the boxes.
 struct BoxAxis {
-  Vector3d n{0, 0, 1};                                    // unit, from B to A (3)
-  double gap = -std::numeric_limits<double>::infinity();  // gap of the boxes along n [m]
-  int index = -1;  // 0-2: faces of B, 3-5: faces of A, 6-14: edges of B across edges of A
+  Vector3d n{0, 0, 1};      // unit, from B to A (3)
+  double gap = -kInfinity;  // gap of the boxes along n [m]
+  int index = -1;           // 0-2: faces of B, 3-5: faces of A, 6-14: edges of B across edges of A
 };
 
 // Sine of the angle between edges below which they are parallel [1]
@@ -59,14 +59,13 @@ BoxAxis axis_of(const BoxPair& boxes, int index) {
 
 /// Finds the direction with the largest gap, or the smallest depth.
 BoxAxis best_axis(const BoxPair& boxes, int last) {
-  BoxAxis best;
   const Matrix3d share = boxes.R.cwiseAbs();
   const Vector3d in_a = boxes.R.transpose() * boxes.c;
   // Faces of B, faces of A, then edges, which must be better by more than rounding errors.
   const Vector3d of_b = boxes.c.cwiseAbs() - boxes.hb - share * boxes.ha;
   const Vector3d of_a = in_a.cwiseAbs() - boxes.ha - share.transpose() * boxes.hb;
   int index = -1;
-  double gap = best.gap;
+  double gap = -kInfinity;
   for (int k = 0; k < 3; ++k)
     if (of_b(k) > gap) gap = of_b(k), index = k;
   for (int k = 0; k < 3; ++k)
@@ -88,8 +87,7 @@ BoxAxis best_axis(const BoxPair& boxes, int last) {
     const BoxAxis kept = axis_of(boxes, last);
     if (kept.gap > gap - kKeepDepth + kKeepRatio * gap) return kept;
   }
-  best = axis_of(boxes, index);
-  return best;
+  return axis_of(boxes, index);
 }
 
 // Corners and edges by number: a corner by its signs, an edge by its direction and two signs.
@@ -237,7 +235,7 @@ double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis
                        PartMemory& memory, std::vector<ManifoldPoint>& points) {
   const BoxFace on_b = face_along(b, axis.n), on_a = face_along(a, -axis.n);
   // Select the face that clips; the last one is kept unless the other is better aligned.
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   int reference = on_b.alignment >= on_a.alignment ? 1 : 0;
   if (memory.reference >= 0 && std::abs(on_b.alignment - on_a.alignment) < kReferenceStep)
     reference = memory.reference;
@@ -279,15 +277,10 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   const double uw = u.dot(w), turn = 1 - uw * uw;
   const double s = std::clamp((uw * w.dot(r) - u.dot(r)) / turn, -a.half(j), a.half(j));
   const double t = std::clamp((w.dot(r) - uw * u.dot(r)) / turn, -b.half(k), b.half(k));
-  ManifoldPoint point;
-  point.on_a = pa + s * u;
-  point.on_b = pb + t * w;
-  point.normal = axis.n;
-  point.gap = (point.on_a - point.on_b).dot(axis.n);
-  point.feature =
-      feature_key(FeatureKind::kEdges, edge_number(corner_a & ~(1 << j), corner_a | 1 << j),
-                  edge_number(corner_b & ~(1 << k), corner_b | 1 << k));
-  return point;
+  const Vector3d on_a = pa + s * u, on_b = pb + t * w;
+  return {on_a, on_b, axis.n, (on_a - on_b).dot(axis.n),
+          feature_key(FeatureKind::kEdges, edge_number(corner_a & ~(1 << j), corner_a | 1 << j),
+                      edge_number(corner_b & ~(1 << k), corner_b | 1 << k))};
 }
 
 constexpr double kDistanceError = 1e-7;  // error of the distance of nearest points [m]
@@ -331,13 +324,9 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   if (axis.gap < 0) {
     if (points.size() > first) return axis.gap;
     // Overlap without a face in between: the deepest corner along the direction.
-    ManifoldPoint point;
-    point.on_a = a.corner(farthest_corner(a, -axis.n));
-    point.on_b = point.on_a - axis.gap * axis.n;
-    point.normal = axis.n;
-    point.gap = axis.gap;
-    point.feature = feature_key(FeatureKind::kWitness, 0, 0);
-    points.push_back(point);
+    const Vector3d deepest = a.corner(farthest_corner(a, -axis.n));
+    points.push_back({deepest, deepest - axis.gap * axis.n, axis.n, axis.gap,
+                      feature_key(FeatureKind::kWitness, 0, 0)});
     return axis.gap;
   }
   // Apart with nearest points at a corner or edge: find them, and faces along their direction.
@@ -349,13 +338,8 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   axis.gap = near.distance;
   least = add_face_points(a, b, axis, margin, memory, points);
   if (least <= near.distance + kDistanceError) return near.distance;
-  ManifoldPoint point;
-  point.on_a = near.points.on_a;
-  point.on_b = near.points.on_b;
-  point.normal = near.n;
-  point.gap = near.distance;
-  point.feature = feature_key(FeatureKind::kWitness, 0, 0);
-  points.push_back(point);
+  points.push_back({near.points.on_a, near.points.on_b, near.n, near.distance,
+                    feature_key(FeatureKind::kWitness, 0, 0)});
   return near.distance;
 }
 

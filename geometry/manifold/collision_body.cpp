@@ -36,11 +36,6 @@ CollisionPart round_part(double lower, double upper, double length) {
   return part;
 }
 
-TriangleMesh moved_mesh(TriangleMesh mesh, const Pose<double>& X) {
-  mesh.vertices = ((X.R * mesh.vertices).colwise() + X.p).eval();
-  return mesh;
-}
-
 /// Builds a primitive by its sizes. @param core  its tessellated surface, in the body's frame
 CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
   const ShapeSpec& spec = given.spec;
@@ -79,7 +74,9 @@ CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
   if (part.form != PartForm::kRound) {
     part.shape = given.shape;
     part.ball = {{0, 0, 0}, part.half.norm()};
-    part.polyhedron = build_polyhedron(moved_mesh(core, spec.X_BS.inverse()));
+    TriangleMesh surface = core;
+    move_by(surface, spec.X_BS.inverse());
+    part.polyhedron = build_polyhedron(surface);
   }
   part.X_BP = spec.X_BS * part.X_BP;
   return part;
@@ -98,9 +95,7 @@ CollisionPart swept_part(const RoundedMesh& swept) {
   CollisionPart part = round_part(swept.radius, swept.radius, length);
   part.X_BP.p = (from + to) / 2;
   if (length > 0) {
-    const Vector3d along = (to - from) / length;
-    const Tangents across = tangents(along);
-    part.X_BP.R << across.e1, across.e2, along;
+    part.X_BP.R = basis_along((to - from) / length);
   }
   return part;
 }
@@ -116,14 +111,7 @@ double thickness_of(const Solid& solid, const std::vector<CollisionPart>& parts)
   }
   for (const RoundedMesh& mesh : solid.collision) {
     if (mesh.radius > 0) continue;
-    double area = 0;
-    for (const auto& triangle : mesh.core.triangles.colwise()) {
-      const Vector3d a = mesh.core.vertices.col(triangle(0));
-      area += 0.5 * (mesh.core.vertices.col(triangle(1)) - a)
-                        .cross(mesh.core.vertices.col(triangle(2)) - a)
-                        .norm();
-    }
-    const double volume = signed_moments(mesh.core).mass;
+    const double area = area_of(mesh.core), volume = signed_moments(mesh.core).mass;
     if (volume > 0 && area > 0) least = std::min(least, 2 * volume / area);
   }
   return least;
@@ -163,11 +151,9 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
   // Bounding box and ball of all parts.
   for (const CollisionPart& part : body->parts) {
     const Vector3d c = part.X_BP * part.ball.c;
-    Eigen::AlignedBox3d box(c.array() - part.ball.r, c.array() + part.ball.r);
+    const Eigen::AlignedBox3d box(c.array() - part.ball.r, c.array() + part.ball.r);
     // The shape's own bounds may be smaller.
-    const Eigen::AlignedBox3d own = place(part.shape, part.X_BP)->bounds();
-    box = box.intersection(own);
-    body->box.extend(box);
+    body->box.extend(box.intersection(place(part.shape, part.X_BP)->bounds()));
   }
   body->ball.c = body->box.center();
   for (const CollisionPart& part : body->parts)

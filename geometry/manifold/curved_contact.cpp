@@ -72,17 +72,14 @@ std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPa
       const double angle = phase + kSectorAngle * k;
       const Vector3d rim(a.half.x() * std::cos(angle), a.half.x() * std::sin(angle),
                          cap == 0 ? -a.half.z() : a.half.z());
-      ManifoldPoint point;
-      point.on_a = X_BA * rim;
-      point.gap = n.dot(point.on_a) - b.half(face.axis);
-      if (point.gap > margin) continue;
-      point.on_b = point.on_a - point.gap * n;
-      point.normal = n;
-      point.feature = feature_key(FeatureKind::kVertexA, 6 * cap + k, 0);
-      points.push_back(point);
+      const Vector3d on_a = X_BA * rim;
+      const double gap = n.dot(on_a) - b.half(face.axis);
+      if (gap > margin) continue;
+      const Vector3d on_b = on_a - gap * n;
+      points.push_back({on_a, on_b, n, gap, feature_key(FeatureKind::kVertexA, 6 * cap + k, 0)});
       // All points must be above the face.
       for (int i = 0; i < 3; ++i)
-        if (i != face.axis && std::abs(point.on_b(i)) > b.half(i)) {
+        if (i != face.axis && std::abs(on_b(i)) > b.half(i)) {
           points.resize(first);
           return std::nullopt;
         }
@@ -228,13 +225,8 @@ std::optional<double> ellipsoid_on_convex(const CollisionPart& a, const Collisio
   memory.n = found->seen.normal;
   memory.overlapped = bound < 0;
   if (bound > margin) return bound;
-  ManifoldPoint point;
-  point.on_a = found->p;
-  point.on_b = found->p - found->seen.distance * found->seen.normal;
-  point.normal = found->seen.normal;
-  point.gap = found->seen.distance;
-  point.feature = feature_key(FeatureKind::kWitness, 1, 0);
-  points.push_back(point);
+  points.push_back({found->p, found->p - bound * memory.n, memory.n, bound,
+                    feature_key(FeatureKind::kWitness, 1, 0)});
   return bound;
 }
 

@@ -84,17 +84,17 @@ void ManifoldMemory::assign_ids(const Pose<double>& X_WA, const Pose<double>& X_
                                 ContactManifold& manifold) {
   // Points of the same feature keep their ids.
   std::array<bool, ContactManifold::kMaxPoints> taken{};
+  const auto inherit = [&](ManifoldPoint& point, int from) {
+    taken[from] = true;
+    point.id = last_[from].id;
+    point.age = last_[from].age + 1;
+  };
   for (int i = 0; i < manifold.count; ++i) {
     ManifoldPoint& point = manifold.points[i];
     point.id = -1;
     point.age = 0;
-    for (int k = 0; k < count_ && point.id < 0; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      if (taken[at] || last_[at].feature != point.feature) continue;
-      taken[at] = true;
-      point.id = last_[at].id;
-      point.age = last_[at].age + 1;
-    }
+    for (int k = 0; k < count_ && point.id < 0; ++k)
+      if (!taken[k] && last_[k].feature == point.feature) inherit(point, k);
   }
   // Others inherit the id of the nearest unassigned point, if it is near enough.
   const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
@@ -105,20 +105,15 @@ void ManifoldMemory::assign_ids(const Pose<double>& X_WA, const Pose<double>& X_
     double nearest = kMaxPointMotion + 2 * motion;
     int from = -1;
     for (int k = 0; k < count_; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      if (taken[at] || last_[at].n.dot(X_BW.R * point.normal) < kMinNormalCosine) continue;
+      if (taken[k] || last_[k].n.dot(X_BW.R * point.normal) < kMinNormalCosine) continue;
       const double distance =
-          std::min((last_[at].on_a - on_a).norm(), (last_[at].on_b - on_b).norm());
+          std::min((last_[k].on_a - on_a).norm(), (last_[k].on_b - on_b).norm());
       if (distance < nearest) nearest = distance, from = k;
     }
-    if (from < 0) {
+    if (from < 0)
       point.id = next_id_++;
-      continue;
-    }
-    const auto at = static_cast<std::size_t>(from);
-    taken[at] = true;
-    point.id = last_[at].id;
-    point.age = last_[at].age + 1;
+    else
+      inherit(point, from);
   }
 }
 

@@ -30,7 +30,7 @@ class PolyhedronBuilder {
   void add_faces() {
     CollisionTree tree = collision_tree({nullptr, {{mesh_, 0}}, {}, {}});
     built_->nodes = std::move(tree.nodes);
-    place_.resize(static_cast<std::size_t>(mesh_.triangles.cols()));
+    place_.resize(mesh_.triangles.cols());
     for (const SweptTriangle& triangle : tree.triangles) {
       place_[triangle.source] = static_cast<int>(built_->faces.size());
       PolyhedronFace face;
@@ -50,8 +50,8 @@ class PolyhedronBuilder {
 
   /// Adds convex edges, and merges the planes of flat ones.
   void add_edges() {
-    corner_of_.assign(static_cast<std::size_t>(mesh_.vertices.cols()), -1);
-    neighbours_.resize(static_cast<std::size_t>(mesh_.vertices.cols()));
+    corner_of_.assign(mesh_.vertices.cols(), -1);
+    neighbours_.resize(mesh_.vertices.cols());
     for_each_edge(sides_by_edge(mesh_), [&](const MeshSide* first, const MeshSide* last) {
       neighbours_[first->low].push_back(first->high);
       neighbours_[first->high].push_back(first->low);

@@ -70,11 +70,8 @@ class FeatureContacts {
     const NearestSurface seen = b_.shape->nearest(p);
     least_ = std::min(least_, seen.distance);
     if (seen.distance > margin_) return;
-    const Corner deep{p, p - seen.distance * seen.normal, seen.normal, seen.distance};
-    if (is_lowest(*a_.polyhedron, corner, X_AB_.R * seen.normal))
-      add_point(deep.on_a, deep.on_b, deep.n, FeatureKind::kVertexA, i, 0);
-    else if (deep.distance < covered_.distance)
-      covered_ = deep;
+    add_corner({p, p - seen.distance * seen.normal, seen.normal, seen.distance},
+               is_lowest(*a_.polyhedron, corner, X_AB_.R * seen.normal), FeatureKind::kVertexA, i);
   }
 
   void add_corner_b(int i) {
@@ -84,11 +81,16 @@ class FeatureContacts {
     least_ = std::min(least_, seen.distance);
     if (seen.distance > margin_) return;
     const Vector3d n = X_BA_.R * seen.normal;
-    const Corner deep{corner.p - seen.distance * n, corner.p, -n, seen.distance};
-    if (is_lowest(*b_.polyhedron, corner, n))
-      add_point(deep.on_a, deep.on_b, deep.n, FeatureKind::kVertexB, i, 0);
-    else if (deep.distance < covered_.distance)
-      covered_ = deep;
+    add_corner({corner.p - seen.distance * n, corner.p, -n, seen.distance},
+               is_lowest(*b_.polyhedron, corner, n), FeatureKind::kVertexB, i);
+  }
+
+  /// Adds a corner from which no edge leads down; of the others the deepest is kept.
+  void add_corner(const Corner& corner, bool lowest, FeatureKind kind, int number) {
+    if (lowest)
+      add_point(corner.on_a, corner.on_b, corner.n, kind, number, 0);
+    else if (corner.distance < covered_.distance)
+      covered_ = corner;
   }
 
   void add_edges(int i, int j) {
@@ -122,14 +124,9 @@ class FeatureContacts {
 
   void add_point(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& n, FeatureKind kind,
                  int i, int j) {
-    ManifoldPoint point;
-    point.on_a = on_a;
-    point.on_b = on_b;
-    point.normal = n;
-    point.gap = (on_a - on_b).dot(n);
-    point.feature = feature_key(kind, i, j);
-    deepest_ = std::min(deepest_, point.gap);
-    points_.push_back(point);
+    const double gap = (on_a - on_b).dot(n);
+    deepest_ = std::min(deepest_, gap);
+    points_.push_back({on_a, on_b, n, gap, feature_key(kind, i, j)});
   }
 
   const CollisionPart &a_, &b_;
@@ -242,15 +239,11 @@ class RoundContacts {
 
   void add_point(double s, const Vector3d& on_b, const Vector3d& n, double height, int of_a,
                  int of_b) {
-    ManifoldPoint point;
-    point.gap = height - a_.radius(s);
-    least_ = std::min(least_, point.gap);
-    if (point.gap > margin_) return;
-    point.on_b = on_b;
-    point.on_a = on_b + point.gap * n;
-    point.normal = n;
-    point.feature = feature_key(FeatureKind::kBalls, of_a, of_b);
-    points_.push_back(point);
+    const double gap = height - a_.radius(s);
+    least_ = std::min(least_, gap);
+    if (gap <= margin_)
+      points_.push_back(
+          {on_b + gap * n, on_b, n, gap, feature_key(FeatureKind::kBalls, of_a, of_b)});
   }
 
   BallHull a_;

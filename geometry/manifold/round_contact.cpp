@@ -35,13 +35,9 @@ ManifoldPoint ball_on_ball(const BallHull& a, const BallHull& b, const SegmentPa
   // If the axes have crossed in an overlap, the normal must keep its side.
   const bool between = at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1;
   if (between && memory.overlapped && n.dot(memory.n) < 0) n = -n, distance = -distance;
-  ManifoldPoint point;
-  point.on_a = p - a.radius(at.s) * n;
-  point.on_b = q + b.radius(at.t) * n;
-  point.normal = n;
-  point.gap = distance - a.radius(at.s) - b.radius(at.t);
-  point.feature = feature_key(FeatureKind::kRounds, axis_feature(at.s), axis_feature(at.t));
-  return point;
+  return {p - a.radius(at.s) * n, q + b.radius(at.t) * n, n,
+          distance - a.radius(at.s) - b.radius(at.t),
+          feature_key(FeatureKind::kRounds, axis_feature(at.s), axis_feature(at.t))};
 }
 
 }  // namespace

@@ -82,8 +82,7 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
   for (std::size_t s = 0; s < hand.trees.size(); ++s) {
     // Bounding ball of the surface, moved with its link.
     const Ball& ball = hand.trees[s].nodes[0].ball;
-    const int link = hand.hand->surfaces()[s].link;
-    const Eigen::Vector3d c = link < 0 ? ball.c : links[link] * ball.c;
+    const Eigen::Vector3d c = moved_with(links, hand.hand->surfaces()[s].link, ball.c);
     reach = std::max(reach, (c - approach.point).norm() + ball.r);
   }
   return reach;
@@ -125,7 +124,7 @@ double sample_stand_off(std::mt19937& random) {
 Eigen::VectorXd sample_preshape(const CollisionHand& hand, int number, std::mt19937& random) {
   const HandLayout& layout = hand.hand->layout();
   // Every fourth approach starts with the open hand.
-  Eigen::VectorXd q = open_posture(hand.hand->layout());
+  Eigen::VectorXd q = open_posture(layout);
   if (number % kOpenPostureInterval == 0) return q;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
@@ -37,7 +37,7 @@ class Closing {
     // Pairs of links that may stop each other.
     if (!options.self) return;
     SelfClearances self = find_self_clearances(posed_, options.accuracy);
-    clearances_.insert(clearances_.end(), self.clearances.begin(), self.clearances.end());
+    append_all(clearances_, self.clearances);
     self_overlaps_ = std::move(self.overlaps);
   }
 
@@ -83,13 +83,17 @@ class Closing {
                                  touching_.trees[s].nodes[0].ball);
   }
 
+  /// Returns whether a coordinate moves the other surface of a clearance.
+  [[nodiscard]] bool moves_other(const Clearance& clearance, Eigen::Index j) const {
+    return clearance.body == nullptr && touching_.moved_by(clearance.other, j);
+  }
+
   /// Sums the speeds of coordinates that move only one of the two surfaces.
   [[nodiscard]] RelativeSpeed relative_speed(const Clearance& clearance) const {
     RelativeSpeed sum;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const bool first = touching_.moved_by(clearance.surface, j);
-      const bool second = clearance.body == nullptr && touching_.moved_by(clearance.other, j);
-      if (first == second) continue;
+      if (first == moves_other(clearance, j)) continue;
       const SurfaceSpeed& mover = speeds_[first ? clearance.surface : clearance.other];
       sum.linear += mover.speed[j];
       sum.angular += mover.angular_speed[j];
@@ -205,9 +209,8 @@ class Closing {
     // Stop coordinates that move only one of the two.
     bool stopped = false;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
-      const bool first = touching_.moved_by(clearance.surface, j);
-      const bool second = clearance.body == nullptr && touching_.moved_by(clearance.other, j);
-      if (first == second || drives_.rates()[j] == 0) continue;
+      const bool second = moves_other(clearance, j);
+      if (touching_.moved_by(clearance.surface, j) == second || drives_.rates()[j] == 0) continue;
       if (clearance.sticking_cosine > 0 && !(sticks[second ? 1 : 0] && into[j] > 0)) continue;
       drives_.stop(static_cast<int>(j), StoppedBy::kContact);
       stopped = true;
@@ -284,7 +287,7 @@ SurfaceSpeed surface_speed(const Hand& hand, const Eigen::VectorXd& q, const Eig
 }
 
 double safe_time(double speed, double angular_speed, double clearance) {
-  if (speed <= 0) return std::numeric_limits<double>::infinity();
+  if (speed <= 0) return kInfinity;
   // Root of  speed angular_speed t^2 + speed t = clearance,  in a form without cancellation.
   const double time =
       2 * clearance / speed / (1 + std::sqrt(1 + 4 * angular_speed * clearance / speed));

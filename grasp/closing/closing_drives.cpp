@@ -1,7 +1,6 @@
 #include "grasp/closing/closing_drives.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/error.h"
 

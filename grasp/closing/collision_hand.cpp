@@ -1,10 +1,10 @@
 #include "grasp/closing/collision_hand.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "grasp/closing/closing_drives.h"
 
 namespace thenar {
@@ -30,8 +30,7 @@ MovedBy moved_by(const Hand& hand) {
 /// Returns the nearest link towards the base, including itself, that has a surface; -1: the base.
 int nearest_surface_link(const Hand& hand, int link) {
   const auto has_surface = [&](int l) {
-    return std::any_of(hand.surfaces().begin(), hand.surfaces().end(),
-                       [l](const LinkSurface& s) { return s.link == l; });
+    return any_of(hand.surfaces(), [l](const LinkSurface& s) { return s.link == l; });
   };
   while (link >= 0 && !has_surface(link)) link = hand.layout().parents[link];
   return link;
@@ -87,9 +86,8 @@ std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
 }  // namespace
 
 double soft_layer_depth(const LinkSurface& surface, const Materials& materials) {
-  for (const Material& material : materials.materials)
-    if (material.name == surface.material) return material.layer_thickness;
-  return 0;
+  const Material* material = find_named(materials.materials, surface.material);
+  return material == nullptr ? 0 : material->layer_thickness;
 }
 
 CollisionHand collision_hand(const Hand& hand, const Materials& materials) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -34,12 +36,10 @@ std::string describe_motion(const ScaledMotion& motion) {
 }
 
 std::string describe_overlaps(const std::vector<Overlap>& overlaps) {
-  std::vector<std::string> parts;
-  parts.reserve(overlaps.size());
-  for (const Overlap& each : overlaps)
-    parts.push_back(
-        fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  const auto words = [](const Overlap& each) {
+    return fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other);
+  };
+  return fmt::format("{}", fmt::join(transformed(overlaps, words), ", "));
 }
 
 std::string describe_self_overlaps(const ClosedHand& closed) {

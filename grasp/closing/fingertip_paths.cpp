@@ -1,7 +1,5 @@
 #include "grasp/closing/fingertip_paths.h"
 
-#include <algorithm>
-
 #include <Eigen/Eigenvalues>
 
 #include "base/numbers.h"
@@ -15,15 +13,9 @@ constexpr int kClosingIntervals = 20;  // number of time intervals of the paths
 }  // namespace
 
 Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q) {
-  const std::vector<HandTip>& tips = hand.layout().tip_points;
   const std::vector<Pose<double>> links = hand.pose(q);
-  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(tips.size()));
-  // Each tip moves with its link; tips on the base are fixed.
-  for (Eigen::Index t = 0; t < positions.cols(); ++t) {
-    const HandTip& tip = tips[static_cast<std::size_t>(t)];
-    positions.col(t) = tip.link < 0 ? tip.p : links[static_cast<std::size_t>(tip.link)] * tip.p;
-  }
-  return positions;
+  return as_columns(hand.layout().tip_points,
+                    [&](const HandTip& tip) { return moved_with(links, tip.link, tip.p); });
 }
 
 FingertipPaths fingertip_paths(const Hand& hand, const Eigen::VectorXd& q) {

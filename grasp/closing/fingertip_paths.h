@@ -8,6 +8,13 @@
 
 namespace thenar {
 
+/// Returns the position of a point of a link, in the hand's frame [m] (3).
+/// @param links  Hand::pose();  @param link  -1: the base;  @param p  in the reference posture [m]
+[[nodiscard]] inline Eigen::Vector3d moved_with(const std::vector<Pose<double>>& links, int link,
+                                                const Eigen::Vector3d& p) {
+  return link < 0 ? p : Eigen::Vector3d(links[link] * p);
+}
+
 /// Returns the positions of the tips at a posture, hand frame [m] (3, tips)
 [[nodiscard]] Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q);
 

@@ -78,7 +78,7 @@ void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const Col
       continue;
     const std::optional<ContactPatch> one = merge_patches(patches[i], patch, options);
     if (!one) continue;
-    patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
+    patches.erase(patches.begin() + i);
     return add_patch(patches, *one, hand, options);
   }
   patches.push_back(std::move(patch));

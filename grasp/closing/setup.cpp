@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
-#include "data/io/world/world.h"
 #include "geometry/mass_properties.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/shape_reach.h"
@@ -26,9 +26,7 @@ Eigen::Vector3d volume_centre(const BodySpec& body) {
 }
 
 std::vector<std::string> names_of(const WorldSpec& world) {
-  std::vector<std::string> names;
-  for (const PlacedBody& placed : world.bodies) names.push_back(placed.body.name);
-  return names;
+  return transformed(world.bodies, [](const PlacedBody& placed) { return placed.body.name; });
 }
 
 /// Calls build_solid(), with the body and its meshes named in errors.
@@ -107,8 +105,8 @@ BodyBox longest_first(const BodyBox& box) {
                    [&](int a, int b) { return box.half[a] > box.half[b]; });
   BodyBox sorted;
   for (int i = 0; i < 3; ++i) {
-    sorted.axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
-    sorted.half[i] = box.half[order[static_cast<std::size_t>(i)]];
+    sorted.axes.col(i) = box.axes.col(order[i]);
+    sorted.half[i] = box.half[order[i]];
   }
   if (sorted.axes.determinant() < 0) sorted.axes.col(2) *= -1;
   return sorted;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -26,10 +27,8 @@ void require_pull(const HandLayout& layout, const ClosingTensions& pull, const F
 double sum_of_tensions(const Drive& drive, const Eigen::MatrixXd& B, const Eigen::VectorXd& u) {
   double sum = 0;
   for (Eigen::Index i = 0; i < u.size(); ++i) {
-    bool crosses = false;
-    for (const DrivenCoordinate& driven : drive.moves)
-      crosses = crosses || B(driven.coordinate, i) != 0;
-    if (crosses) sum += u[i];
+    const auto crosses = [&](const DrivenCoordinate& each) { return B(each.coordinate, i) != 0; };
+    if (any_of(drive.moves, crosses)) sum += u[i];
   }
   return sum;
 }

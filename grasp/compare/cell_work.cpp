@@ -71,7 +71,7 @@ CellWork::CellWork(LazyCollisionHand& hand, LazyObject& object, const CompareOpt
 
 void CellWork::add_to(TaskQueue& queue) {
   pending_ = options_.approaches;
-  tried_.resize(static_cast<std::size_t>(options_.approaches));
+  tried_.resize(options_.approaches);
   for (int n = 0; n < options_.approaches; ++n)
     queue.add([this, n, &queue] { run_approach(n, queue); });
 }
@@ -95,7 +95,7 @@ Grasp CellWork::make_grasp(int number) {
 void CellWork::run_approach(int number, TaskQueue& queue) {
   if (progress_.stop()) return;
   const auto start = Clock::now();
-  Tried& tried = tried_[static_cast<std::size_t>(number)];
+  Tried& tried = tried_[number];
   tried.grasp = make_grasp(number);
   if (tried.closes()) {
     if (progress_.stop()) return;
@@ -135,11 +135,11 @@ void CellWork::rank_grasps(TaskQueue& queue) {
   cell_.hand_epsilon = ascending(std::move(hand_epsilon));
   // Add tasks for the loads of the best ones, the largest epsilon first.
   const int best = std::min(options_.best, cell_.closures);
-  cell_.best.resize(static_cast<std::size_t>(best));
+  cell_.best.resize(best);
   pending_ = best;
   done_ = best == 0;
   for (int i = best; i-- > 0;) {
-    const int number = closed[static_cast<std::size_t>(cell_.closures - 1 - i)].second;
+    const int number = closed[cell_.closures - 1 - i].second;
     queue.add_first([this, i, number] { compute_loads(static_cast<std::size_t>(i), number); });
   }
 }
@@ -148,7 +148,7 @@ void CellWork::rank_grasps(TaskQueue& queue) {
 void CellWork::compute_loads(std::size_t rank, int number) {
   if (progress_.stop()) return;
   const auto start = Clock::now();
-  const Tried& tried = tried_[static_cast<std::size_t>(number)];
+  const Tried& tried = tried_[number];
   const Grasp& grasp = tried.grasp;
   BestGrasp& best = cell_.best[rank];
   best.approach = number;
@@ -158,13 +158,8 @@ void CellWork::compute_loads(std::size_t rank, int number) {
   best.epsilon = grasp.quality.lower;
   best.type = grasp_type(*hand_.hand().hand, grasp.contacts);
   const GraspBody& object = object_.setup().object;
-  GraspLoads loads =
+  static_cast<GraspLoads&>(best) =
       grasp_loads(held_by(hand_.hand(), grasp, object), object, object_.mass(), options_.tasks);
-  best.min_grasp_force = loads.min_grasp_force;
-  best.standing_grasp_force = loads.standing_grasp_force;
-  best.margin = std::move(loads.margin);
-  best.with_structure = std::move(loads.with_structure);
-  best.reasons = std::move(loads.reasons);
   best.hand_epsilon = tried.hand_epsilon;
   if (!tried.message.empty()) best.reasons["epsilon"] = tried.message;
   add_time(seconds_since(start));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -27,9 +29,8 @@ ClosureCount count_closures(const Comparison& comparison, const std::string& han
 
 std::string hand_of_most_closures(const Comparison& comparison) {
   if (!comparison.complete || comparison.hands.size() < 2) return "";
-  std::vector<ClosureCount> counts;
-  for (const std::string& hand : comparison.hands)
-    counts.push_back(count_closures(comparison, hand));
+  const std::vector<ClosureCount> counts = transformed(
+      comparison.hands, [&](const std::string& hand) { return count_closures(comparison, hand); });
   const auto best = std::max_element(counts.begin(), counts.end(),
                                      [](const ClosureCount& a, const ClosureCount& b) {
                                        return a.success_rate() < b.success_rate();
@@ -42,7 +43,7 @@ std::string hand_of_most_closures(const Comparison& comparison) {
             kSignificance)
       return "";
   }
-  return comparison.hands[static_cast<std::size_t>(best - counts.begin())];
+  return comparison.hands[best - counts.begin()];
 }
 
 }  // namespace thenar

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/parallel_for.h"
 #include "base/task_queue.h"
 #include "grasp/compare/cell_work.h"
@@ -46,11 +47,8 @@ std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands)
       else if (found->second != hand.name)
         found->second += ", " + hand.name;
     }
-  std::vector<std::string> folded;
-  folded.reserve(whose.size());
-  for (const auto& [warning, names] : whose)
-    folded.push_back(fmt::format("{}: {}", names, warning));
-  return folded;
+  return transformed(
+      whose, [](const auto& each) { return fmt::format("{}: {}", each.second, each.first); });
 }
 
 /// Checks hands before the computation, so that errors do not come hours later; messages name the
@@ -79,10 +77,10 @@ Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<Bod
   out.seed = options.seed;
   out.approaches = options.approaches;
   out.normalise_size = options.normalise_size;
-  for (const ComparedHand& hand : hands) out.hands.push_back(hand.name);
+  out.hands = transformed(hands, [](const ComparedHand& hand) { return hand.name; });
   out.warnings = folded_warnings(hands);
-  for (const BodySpec& object : objects) out.objects.push_back(object.name);
-  for (const GraspTask task : options.tasks) out.tasks.push_back(name_of(task));
+  out.objects = transformed(objects, [](const BodySpec& object) { return object.name; });
+  out.tasks = transformed(options.tasks, [](GraspTask task) { return name_of(task); });
   require_names(out.hands, "hand");
   require_names(out.objects, "object");
   return out;
@@ -93,19 +91,6 @@ const HandOnObject* find_cell(const std::vector<HandOnObject>& cells, const std:
   for (const HandOnObject& cell : cells)
     if (cell.hand == hand && cell.object == object) return &cell;
   return nullptr;
-}
-
-/// A cell that was stopped, marked by zero approaches.
-HandOnObject stopped_cell(const ComparedHand& hand, const BodySpec& object, double scale) {
-  HandOnObject cell;
-  cell.hand = hand.name;
-  cell.object = object.name;
-  cell.scale = scale;
-  return cell;
-}
-
-Eigen::VectorXd middle_posture(const HandLayout& layout) {
-  return (layout.lower + layout.upper) / 2;
 }
 
 /// Returns the types of grasp that a hand has made on any object, sorted by name.
@@ -132,7 +117,8 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
   abilities.overlap = spaces.overlap;
   abilities.digits = std::move(spaces.digits);
   // Tip forces with all joints in the middle of their ranges.
-  const Eigen::VectorXd q = middle_posture(hand.hand->layout());
+  const HandLayout& layout = hand.hand->layout();
+  const Eigen::VectorXd q = (layout.lower + layout.upper) / 2;
   for (std::size_t tip = 0; tip < abilities.digits.size() && !progress.stop(); ++tip) {
     const TipForces forces = tip_forces(*hand.hand, q, static_cast<int>(tip));
     abilities.digits[tip].closing_force = forces.closing;
@@ -156,7 +142,13 @@ HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double
   work.add_to(queue);
   queue.run(threads_or_all(options.threads),
             [&] { progress(static_cast<double>(work.tried()) / options.approaches, ""); });
-  return work.done() ? work.take_result() : stopped_cell(hand, object, scale);
+  if (work.done()) return work.take_result();
+  // A cell that was stopped is marked by zero approaches.
+  HandOnObject stopped;
+  stopped.hand = hand.name;
+  stopped.object = object.name;
+  stopped.scale = scale;
+  return stopped;
 }
 
 namespace {

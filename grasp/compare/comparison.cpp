@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/lists.h"
+#include "base/numbers.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/closing/fingertip_paths.h"
 #include "grasp/compare/grasp_type.h"
@@ -26,6 +27,13 @@ LoadFound max_load(const std::vector<BestGrasp>& grasps,
     load.max = std::fmax(load.max, found->second);
   }
   return load;
+}
+
+/// Finds the smallest force of some grasps; NaN without grasps.
+double min_force(const std::vector<BestGrasp>& grasps, double BestGrasp::*force) {
+  double least = kNaN;
+  for (const BestGrasp& grasp : grasps) least = std::fmin(least, grasp.*force);
+  return least;
 }
 
 }  // namespace
@@ -54,13 +62,13 @@ bool is_kapandji(const HandAbilities& abilities) {
 }
 
 std::optional<std::size_t> count_grasp_types(const HandAbilities& abilities) {
-  if (std::none_of(abilities.types.begin(), abilities.types.end(), is_pinch)) return {};
+  if (!any_of(abilities.types, is_pinch)) return {};
   return abilities.types.size();
 }
 
 double HandOnObject::quantile(double p) const {
   // Linear interpolation between order statistics.
-  if (epsilon.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (epsilon.size() == 0) return kNaN;
   const double at = p * static_cast<double>(epsilon.size() - 1);
   const auto below = static_cast<Eigen::Index>(std::floor(at));
   const Eigen::Index above = std::min(below + 1, epsilon.size() - 1);
@@ -85,15 +93,11 @@ LoadFound HandOnObject::best_hand_epsilon() const {
 }
 
 double HandOnObject::min_grasp_force() const {
-  double min_force = std::numeric_limits<double>::quiet_NaN();
-  for (const BestGrasp& grasp : best) min_force = std::fmin(min_force, grasp.min_grasp_force);
-  return min_force;
+  return min_force(best, &BestGrasp::min_grasp_force);
 }
 
 double HandOnObject::standing_grasp_force() const {
-  double min_force = std::numeric_limits<double>::quiet_NaN();
-  for (const BestGrasp& grasp : best) min_force = std::fmin(min_force, grasp.standing_grasp_force);
-  return min_force;
+  return min_force(best, &BestGrasp::standing_grasp_force);
 }
 
 double reach_of_digits(const Hand& hand) {

@@ -86,14 +86,8 @@ struct CompareOptions {
   Materials materials = built_in_materials();   // materials and friction of all hands and objects
 };
 
-/// One of the best grasps of a hand on an object.
-struct BestGrasp {
-  int approach = 0;                   // number of the approach
-  Pose<double> X_WH;                  // final pose of the hand; the object is at the world's origin
-  Eigen::VectorXd q;                  // (coordinates)
-  std::vector<HandContact> contacts;  // in the object's frame
-  double epsilon = 0;                 // certified lower bound [unit forces]
-  std::string type;                   // grasp_type()
+/// Loads that a grasp resists.
+struct GraspLoads {
   /// Smallest sum of normal forces that holds the weight by friction alone, for the worst of the
   /// axes pointing down [N]; infinite: impossible.
   double min_grasp_force = 0;
@@ -105,6 +99,16 @@ struct BestGrasp {
   std::map<std::string, double> with_structure;
   /// Task or "epsilon" -> reason why it is zero, unknown or infinite.
   std::map<std::string, std::string> reasons;
+};
+
+/// One of the best grasps of a hand on an object.
+struct BestGrasp : GraspLoads {
+  int approach = 0;                   // number of the approach
+  Pose<double> X_WH;                  // final pose of the hand; the object is at the world's origin
+  Eigen::VectorXd q;                  // (coordinates)
+  std::vector<HandContact> contacts;  // in the object's frame
+  double epsilon = 0;                 // certified lower bound [unit forces]
+  std::string type;                   // grasp_type()
   /// Smallest wrench that the actuation of the hand cannot resist [N]; NaN: unknown.
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };

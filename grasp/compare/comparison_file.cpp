@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/numbers.h"
-#include "base/provenance.h"
 #include "data/io/file_guard.h"
 
 namespace thenar {
@@ -71,6 +71,16 @@ const std::string& text(const JsonNode& value, const std::string& name) {
   return value.text;
 }
 
+/// Reads a member that is a finite number within a range.
+double number_in(const JsonNode& node, const std::string& name, double low, double high) {
+  return number_within(member(node, name), name, low, high);
+}
+
+/// Reads a member that is a whole number within a range.
+int whole_in(const JsonNode& node, const std::string& name, int low, int high) {
+  return whole_within(member(node, name), name, low, high);
+}
+
 /// Reads a load or a quality: >= 0, infinite, or unknown.
 double load_of(const JsonNode& value, const std::string& name) {
   if (value.kind == JsonKind::kNull) return kNaN;
@@ -84,7 +94,7 @@ Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int max_
     refuse(name, fmt::format("at most {} numbers", max_count), list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (Eigen::Index i = 0; i < out.size(); ++i) {
-    out[i] = load_of(list.items[static_cast<std::size_t>(i)], name);
+    out[i] = load_of(list.items[i], name);
     if (!(out[i] >= (i > 0 ? out[i - 1] : 0))) refuse(name, "numbers that do not fall", list);
   }
   return out;
@@ -95,7 +105,7 @@ Eigen::VectorXd vector(const JsonNode& list, const std::string& name, double max
   if (list.kind != JsonKind::kArray) refuse(name, "a list of numbers", list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (std::size_t i = 0; i < list.items.size(); ++i)
-    out[static_cast<Eigen::Index>(i)] = number_within(list.items[i], name, -max, max);
+    out[i] = number_within(list.items[i], name, -max, max);
   return out;
 }
 
@@ -110,8 +120,7 @@ Eigen::Matrix3d rotation_of(const JsonNode& rows) {
   Eigen::Matrix3d R;
   if (rows.items.size() != 3) refuse("rotation", "3 rows", rows);
   for (int i = 0; i < 3; ++i)
-    R.row(i) = vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnitTolerance)
-                   .transpose();
+    R.row(i) = vector3(rows.items[i], "rotation", 1 + kUnitTolerance).transpose();
   if (!(R * R.transpose()).isIdentity(kUnitTolerance) || R.determinant() < 0)
     refuse("rotation", "the rows of a rotation", rows);
   return R;
@@ -126,25 +135,25 @@ JsonNode margin_node(const std::map<std::string, double>& margins) {
 
 std::map<std::string, double> margins_of(const JsonNode& json) {
   std::map<std::string, double> margins;
-  for (const GraspTask task :
-       {GraspTask::kForceClosure, GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn})
+  for (const auto& [task, name] : kGraspTaskNames)
     if (const JsonNode* found = json.find(load_key(task)))
-      margins[name_of(task)] = load_of(*found, load_key(task));
+      margins[name] = load_of(*found, load_key(task));
   return margins;
 }
 
-/// Converts numbers that may be infinite or unknown.
-template <typename Vector>
-JsonNode numbers_node(const Vector& values) {
-  JsonNode list(JsonKind::kArray);
-  for (Eigen::Index i = 0; i < values.size(); ++i) list.items.push_back(number_node(values[i]));
-  return list;
+/// Converts each entry of a list.
+template <typename List, typename Convert>
+JsonNode list_node(const List& list, const Convert& convert) {
+  JsonNode out(JsonKind::kArray);
+  out.items = transformed(list, convert);
+  return out;
 }
 
+/// Converts numbers that may be infinite or unknown.
+JsonNode numbers_node(const Eigen::VectorXd& values) { return list_node(values, number_node); }
+
 JsonNode rows_node(const Eigen::Matrix3d& R) {
-  JsonNode rows(JsonKind::kArray);
-  for (int i = 0; i < 3; ++i) rows.items.push_back(numbers_node(R.row(i)));
-  return rows;
+  return list_node(R.rowwise(), [](const auto& row) { return numbers_node(row); });
 }
 
 template <typename Value>
@@ -172,16 +181,14 @@ HandContact contact_of(const JsonNode& json) {
   contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnitTolerance);
   if (std::abs(contact.contact.n.norm() - 1) > kUnitTolerance)
     refuse("normal", "a direction of length 1", member(json, "normal"));
-  contact.contact.friction = number_within(member(json, "friction"), "friction", 0, kMaxFriction);
-  contact.contact.torsion = number_within(member(json, "torsion_m"), "torsion_m", 0, kMaxDistance);
-  contact.surface = whole_within(member(json, "surface"), "surface", -1, kMaxApproaches);
-  contact.depth = number_within(member(json, "depth_m"), "depth_m", -kMaxDistance, kMaxDistance);
+  contact.contact.friction = number_in(json, "friction", 0, kMaxFriction);
+  contact.contact.torsion = number_in(json, "torsion_m", 0, kMaxDistance);
+  contact.surface = whole_in(json, "surface", -1, kMaxApproaches);
+  contact.depth = number_in(json, "depth_m", -kMaxDistance, kMaxDistance);
   return contact;
 }
 
 JsonNode best_node(const BestGrasp& best) {
-  JsonNode contacts(JsonKind::kArray);
-  for (const HandContact& contact : best.contacts) contacts.items.push_back(contact_node(contact));
   JsonNode out;
   out.set("approach", best.approach)
       .set("epsilon", best.epsilon)
@@ -195,7 +202,7 @@ JsonNode best_node(const BestGrasp& best) {
       .set("rotation", rows_node(best.X_WH.R))
       .set("position_m", numbers_node(best.X_WH.p))
       .set("q", numbers_node(best.q))
-      .set("contacts", contacts);
+      .set("contacts", list_node(best.contacts, contact_node));
   return out;
 }
 
@@ -203,8 +210,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   constexpr double kMaxPosture = 1000;  // maximum entry of a posture [rad] or [m]
   BestGrasp best;
   // Read each number within its range.
-  best.approach = whole_within(member(json, "approach"), "approach", 0, approaches - 1);
-  best.epsilon = number_within(member(json, "epsilon"), "epsilon", 0, kMaxLoad);
+  best.approach = whole_in(json, "approach", 0, approaches - 1);
+  best.epsilon = number_in(json, "epsilon", 0, kMaxLoad);
   best.type = text(member(json, "type"), "type");
   best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
   const JsonNode* standing = json.find("hold_standing_N");  // older files lack it
@@ -223,16 +230,14 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   best.X_WH.R = rotation_of(member(json, "rotation"));
   best.X_WH.p = vector3(member(json, "position_m"), "position_m", kMaxDistance);
   best.q = vector(member(json, "q"), "q", kMaxPosture);
-  for (const JsonNode& contact : member(json, "contacts").items)
-    best.contacts.push_back(contact_of(contact));
+  best.contacts = transformed(member(json, "contacts").items, contact_of);
   return best;
 }
 
 JsonNode cell_node(const HandOnObject& cell) {
-  JsonNode outcomes(JsonKind::kObject), grasps(JsonKind::kArray);
+  JsonNode outcomes(JsonKind::kObject);
   for (const auto& [outcome, name] : kGraspOutcomeNames)
     outcomes.set(name, cell.outcomes[static_cast<std::size_t>(outcome)]);
-  for (const BestGrasp& best : cell.best) grasps.items.push_back(best_node(best));
   JsonNode out;
   out.set("hand", cell.hand)
       .set("object", cell.object)
@@ -247,21 +252,21 @@ JsonNode cell_node(const HandOnObject& cell) {
       .set("epsilon", numbers_node(cell.epsilon))
       .set("hand_epsilon_N", numbers_node(cell.hand_epsilon))
       .set("types", map_node(cell.types))
-      .set("best", grasps);
+      .set("best", list_node(cell.best, best_node));
   return out;
 }
 
 /// Reads the counts of a cell, which must be consistent.
 void read_counts(const JsonNode& json, HandOnObject& cell) {
   // Outcomes must add up to no more than the approaches, types to no more than the closures.
-  cell.approaches = whole_within(member(json, "approaches"), "approaches", 1, kMaxApproaches);
+  cell.approaches = whole_in(json, "approaches", 1, kMaxApproaches);
   int ended = 0;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {
     int& count = cell.outcomes[static_cast<std::size_t>(outcome)];
-    count = whole_within(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
+    count = whole_in(member(json, "outcomes"), name, 0, cell.approaches - ended);
     ended += count;
   }
-  cell.closures = whole_within(member(json, "closures"), "closures", 0, cell.approaches);
+  cell.closures = whole_in(json, "closures", 0, cell.approaches);
   // Older files lack this count.
   const int others =
       std::max(0, cell.outcomes[static_cast<std::size_t>(GraspOutcome::kGrasped)] - cell.closures);
@@ -275,18 +280,16 @@ void read_counts(const JsonNode& json, HandOnObject& cell) {
     typed += count;
   }
   const double share = static_cast<double>(cell.closures) / cell.approaches;
-  cell.success = number_within(member(json, "success"), "success", share - kUnitTolerance,
-                               share + kUnitTolerance);
-  cell.interval.lower = number_within(member(json, "success_lower"), "success_lower", 0, 1);
-  cell.interval.upper =
-      number_within(member(json, "success_upper"), "success_upper", cell.interval.lower, 1);
+  cell.success = number_in(json, "success", share - kUnitTolerance, share + kUnitTolerance);
+  cell.interval.lower = number_in(json, "success_lower", 0, 1);
+  cell.interval.upper = number_in(json, "success_upper", cell.interval.lower, 1);
 }
 
 HandOnObject cell_of(const JsonNode& json) {
   HandOnObject cell;
   cell.hand = text(member(json, "hand"), "hand");
   cell.object = text(member(json, "object"), "object");
-  cell.scale = number_within(member(json, "scale"), "scale", 1 / kMaxScale, kMaxScale);
+  cell.scale = number_in(json, "scale", 1 / kMaxScale, kMaxScale);
   read_counts(json, cell);
   cell.epsilon = loads_of(member(json, "epsilon"), "epsilon", cell.closures);
   if (cell.epsilon.size() != cell.closures)
@@ -314,8 +317,7 @@ JsonNode digit_node(const DigitAbility& digit) {
 
 JsonNode abilities_node(const HandAbilities& hand) {
   const bool places = is_kapandji(hand);
-  JsonNode digits(JsonKind::kArray), out;
-  for (const DigitAbility& digit : hand.digits) digits.items.push_back(digit_node(digit));
+  JsonNode out;
   out.set("hand", hand.hand)
       .set("reach_m", hand.reach)
       .set("kapandji_of_10", places ? number_node(hand.opposition) : JsonNode())
@@ -324,7 +326,7 @@ JsonNode abilities_node(const HandAbilities& hand) {
       .set("reached", hand.reached)
       .set("overlap_m3", number_node(hand.overlap))
       .set("types", hand.types)
-      .set("digits", digits);
+      .set("digits", list_node(hand.digits, digit_node));
   return out;
 }
 
@@ -394,14 +396,11 @@ void check_checksum(const std::string& path, const JsonNode& file) {
 }  // namespace
 
 JsonNode comparison_node(const Comparison& comparison) {
-  JsonNode abilities(JsonKind::kArray), cells(JsonKind::kArray), out;
-  for (const HandAbilities& hand : comparison.abilities)
-    abilities.items.push_back(abilities_node(hand));
-  for (const HandOnObject& cell : comparison.cells) cells.items.push_back(cell_node(cell));
+  JsonNode out;
   out.set("complete", comparison.complete)
       .set("warnings", comparison.warnings)
-      .set("abilities", abilities)
-      .set("cells", cells);
+      .set("abilities", list_node(comparison.abilities, abilities_node))
+      .set("cells", list_node(comparison.cells, cell_node));
   return out;
 }
 
@@ -412,13 +411,11 @@ std::string comparison_checksum(const JsonNode& file) {
 }
 
 std::vector<HandOnObject> parse_cells(const JsonNode& list, const std::string& path) {
-  std::vector<HandOnObject> cells;
   try {
-    for (const JsonNode& cell : list.items) cells.push_back(cell_of(cell));
+    return transformed(list.items, cell_of);
   } catch (const BrokenCell& broken) {
     throw DataError(path, broken.line, "a cell of the comparison is broken: " + broken.complaint);
   }
-  return cells;
 }
 
 SavedComparison read_comparison(const std::string& path, const JsonNode& inputs,

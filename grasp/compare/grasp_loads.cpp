@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/limits/grasp_force.h"
 #include "grasp/limits/joint_limits.h"
-#include "grasp/quality/task_margin.h"
 
 namespace thenar {
 namespace {
@@ -86,8 +86,9 @@ std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale
 std::optional<ScaledWrench> unsupported_load(const ForceSet& forces) {
   for (const ScaledWrench& load : loads_along_axes(0, 5, 1)) {
     const WrenchSupport margin = load_margin(forces, load);
-    if (margin.status == Status::kSolved && margin.value < kNegligibleLoad) return load;
-    if (margin.status == Status::kInfeasible) return load;
+    if (margin.status == Status::kInfeasible ||
+        (margin.status == Status::kSolved && margin.value < kNegligibleLoad))
+      return load;
   }
   return {};
 }
@@ -161,13 +162,9 @@ bool carries_force(const HandForceInputs& forces, Index coordinate) {
 /// Returns the actuation with an additional motor of any strength at each of some joints.
 Actuation with_motors(Actuation actuation, const std::vector<int>& joints) {
   for (const int joint : joints) {
-    const Index old = actuation.B.cols();
-    actuation.B.conservativeResize(actuation.tau_0.size(), old + 1);
-    actuation.B.col(old) = Eigen::VectorXd::Unit(actuation.tau_0.size(), joint);
-    actuation.lower.conservativeResize(old + 1);
-    actuation.lower(old) = -kInfinity;
-    actuation.upper.conservativeResize(old + 1);
-    actuation.upper(old) = kInfinity;
+    append_column(actuation.B, Eigen::VectorXd::Unit(actuation.tau_0.size(), joint));
+    append_entry(actuation.lower, -kInfinity);
+    append_entry(actuation.upper, kInfinity);
   }
   return actuation;
 }
@@ -193,7 +190,7 @@ std::vector<int> minimal_motors(const HandForceInputs& forces,
   // Try without each joint, from the fingertips inwards.
   for (std::size_t i = joints.size(); i-- > 0;) {
     std::vector<int> fewer = joints;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    fewer.erase(fewer.begin() + i);
     if (holds_driven(forces, loads, fewer)) joints.swap(fewer);
   }
   return joints;
@@ -208,8 +205,7 @@ std::string explain_unknown_effort(const HandForceInputs& forces) {
     if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
     for (Index j = 0; j < a.B.rows(); ++j)
       if (a.B(j, k) != 0 && carries_force(forces, j) && !is_locked(a.reactions, j))
-        return fmt::format("the effort of '{}' is unknown",
-                           forces.layout.actuators[static_cast<std::size_t>(k)]);
+        return fmt::format("the effort of '{}' is unknown", forces.layout.actuators[k]);
   }
   return "";
 }
@@ -223,11 +219,9 @@ std::string explain_zero_margin(const HandForceInputs& forces,
     if (carries_force(forces, j)) joints.push_back(static_cast<int>(j));
   if (!holds_driven(forces, loads, joints)) return "no actuator presses these contacts";
   // Name a minimal set of joints whose motors are missing.
-  std::vector<std::string> names;
-  for (const int joint : minimal_motors(forces, loads, joints))
-    names.push_back(
-        fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
-  return fmt::format("needs more motor torque at {}", fmt::join(names, ", "));
+  const auto quoted = [&](int j) { return fmt::format("'{}'", forces.layout.coordinates[j]); };
+  return fmt::format("needs more motor torque at {}",
+                     fmt::join(transformed(minimal_motors(forces, loads, joints), quoted), ", "));
 }
 
 }  // namespace thenar

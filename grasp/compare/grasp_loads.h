@@ -45,14 +45,6 @@ struct ExplainedLoad {
   std::string message;  // why it is zero, unknown or infinite; otherwise empty
 };
 
-/// Result of grasp_loads().
-struct GraspLoads {
-  double min_grasp_force = 0;                            // as BestGrasp
-  double standing_grasp_force = 0;                       // as BestGrasp
-  std::map<std::string, double> margin, with_structure;  // as BestGrasp
-  std::map<std::string, std::string> reasons;            // as BestGrasp
-};
-
 /// A hand in a posture that holds an object. The hand must outlive it.
 struct HeldObject {
   const Hand& hand;

@@ -1,10 +1,11 @@
 #include "grasp/compare/grasp_type.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -25,12 +26,11 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
     const LinkSurface& surface = hand.surfaces()[contact.surface];
     if (surface.digit.empty()) {
       touching.palm = true;
-      // Contacts of the palm have no digit.
-      continue;
+      continue;  // contacts of the palm have no digit
     }
     if (last.count(surface.link) == 0) touching.inner = true;
-    auto [at, fresh] = touching.push.emplace(surface.digit, Eigen::Vector3d::Zero());
-    at->second += contact.contact.n;
+    touching.push.emplace(surface.digit, Eigen::Vector3d::Zero()).first->second +=
+        contact.contact.n;
   }
   return touching;
 }
@@ -40,7 +40,7 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
 bool is_opposed(bool has_thumb, const TouchedSegments& touching) {
   if (has_thumb) return touching.push.count("thumb") > 0;
   // A digit opposes if its normals point against those of the others.
-  return std::any_of(touching.push.begin(), touching.push.end(), [&](const auto& digit) {
+  return any_of(touching.push, [&](const auto& digit) {
     Eigen::Vector3d rest(0, 0, 0);
     for (const auto& [other, push] : touching.push)
       if (other != digit.first) rest += push.normalized();
@@ -59,11 +59,10 @@ std::string digits_in_words(const TouchedSegments& touching) {
 }  // namespace
 
 std::string opposing_digit(const Hand& hand) {
-  for (const LinkSurface& surface : hand.surfaces())
-    if (surface.digit == "thumb") return "thumb";
-  for (const std::string& tip : hand.layout().tips)
-    if (tip == "thumb") return "thumb";
-  return "";
+  const bool has_thumb =
+      contains(hand.layout().tips, "thumb") ||
+      any_of(hand.surfaces(), [](const LinkSurface& each) { return each.digit == "thumb"; });
+  return has_thumb ? "thumb" : "";
 }
 
 bool is_pinch(const std::string& type) { return type.rfind("precision, pad", 0) == 0; }

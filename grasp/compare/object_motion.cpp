@@ -55,9 +55,8 @@ Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
   for (Eigen::Index c = 0; c < n; ++c)
     if (moved[c] == 0 && !actuation.B.row(c).isZero(0))
       columns.emplace_back(Eigen::VectorXd::Unit(n, c));
-  Eigen::MatrixXd ratios(n, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t d = 0; d < columns.size(); ++d)
-    ratios.col(static_cast<Eigen::Index>(d)) = columns[d];
+  Eigen::MatrixXd ratios(n, columns.size());
+  for (std::size_t d = 0; d < columns.size(); ++d) ratios.col(d) = columns[d];
   return ratios;
 }
 

@@ -1,13 +1,15 @@
 #include "grasp/compare/opposition.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "base/lists.h"
+#include "base/numbers.h"
+
 #include "grasp/closing/approach_sampling.h"
+#include "grasp/closing/fingertip_paths.h"
 #include "grasp/compare/grasp_type.h"
 
 namespace thenar {
@@ -22,10 +24,6 @@ constexpr double kAngleDamping = 1e-6;                // damping of joint steps 
 
 HandPlace place_of(const HandTip& tip) { return {tip.digit, tip.link, tip.p, 0}; }
 
-Eigen::Vector3d position_of(const HandPlace& place, const std::vector<Pose<double>>& links) {
-  return place.link < 0 ? place.p : links[place.link] * place.p;
-}
-
 Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const HandPlace& place) {
   if (place.link < 0) return Eigen::Matrix3Xd::Zero(3, q.size());
   return hand.jacobian(q, place.link, place.p).bottomRows<3>();
@@ -35,10 +33,10 @@ Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const Hand
 double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b,
                       double near) {
   const HandLayout& layout = hand.layout();
-  double best = std::numeric_limits<double>::infinity();
+  double best = kInfinity;
   for (int step = 0; step < kSearchSteps; ++step) {
     const std::vector<Pose<double>> links = hand.pose(q);
-    const Eigen::Vector3d gap = position_of(b, links) - position_of(a, links);
+    const Eigen::Vector3d gap = moved_with(links, b.link, b.p) - moved_with(links, a.link, a.p);
     best = std::min(best, gap.norm());
     if (best < near) break;
     // Relative Jacobian of the two landmarks.
@@ -61,9 +59,8 @@ double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, c
 
 bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
           const std::vector<Eigen::VectorXd>& starts, double near) {
-  return std::any_of(starts.begin(), starts.end(), [&](const Eigen::VectorXd& q) {
-    return bring_together(hand, q, a, b, near) < near;
-  });
+  return any_of(
+      starts, [&](const Eigen::VectorXd& q) { return bring_together(hand, q, a, b, near) < near; });
 }
 
 std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937& random) {
@@ -104,7 +101,7 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
   const std::string thumb = opposing_digit(hand);
   Opposition out;
   out.scale = "not defined: fewer than two digits";
-  out.score = std::numeric_limits<double>::quiet_NaN();
+  out.score = kNaN;
   // Opposition needs two digits.
   if (tips.size() < 2) return out;
   out.score = 0;

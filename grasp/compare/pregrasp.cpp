@@ -1,14 +1,11 @@
 #include "grasp/compare/pregrasp.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <random>
-#include <set>
-#include <string>
-#include <vector>
 
+#include "base/lists.h"
 #include "grasp/closing/approach_sampling.h"
 
 namespace thenar {
@@ -28,9 +25,8 @@ std::mt19937 generator(unsigned seed, const std::string& object, int number, Str
 
 std::set<std::string> touching_digits(const Hand& hand, const std::vector<HandContact>& contacts) {
   std::set<std::string> digits;
-  for (const HandContact& contact : contacts)
-    if (!hand.surfaces()[contact.surface].digit.empty())
-      digits.insert(hand.surfaces()[contact.surface].digit);
+  for (const HandContact& contact : contacts) digits.insert(hand.surfaces()[contact.surface].digit);
+  digits.erase("");
   return digits;
 }
 
@@ -43,7 +39,7 @@ std::set<std::string> touching_tips(const Hand& hand, const std::vector<HandCont
     outermost[surface.digit] = std::max(outermost[surface.digit], depth(surface));
   std::set<std::string> tips;
   for (const HandContact& contact : contacts) {
-    const LinkSurface& surface = hand.surfaces()[static_cast<std::size_t>(contact.surface)];
+    const LinkSurface& surface = hand.surfaces()[contact.surface];
     if (!surface.digit.empty() && depth(surface) == outermost[surface.digit])
       tips.insert(surface.digit);
   }
@@ -190,10 +186,9 @@ std::optional<double> push_distance(const CollisionHand& hand, const Grasp& gras
 
 /// Returns whether a fixed surface pushes against the push.
 bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object) {
-  return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
-    const bool still =
-        std::find(push.others.begin(), push.others.end(), each.surface) != push.others.end();
-    return still && (object.X_WB.R * each.contact.n).dot(push.along_W) < -kMinPushSine;
+  return any_of(grasp.contacts, [&](const HandContact& each) {
+    return contains(push.others, each.surface) &&
+           (object.X_WB.R * each.contact.n).dot(push.along_W) < -kMinPushSine;
   });
 }
 

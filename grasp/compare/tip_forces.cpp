@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "grasp/closing/closing_drives.h"
+#include "grasp/limits/force_set.h"
 #include "grasp/limits/joint_limits.h"
-#include "solvers/cone_program.h"
 
 namespace thenar {
 namespace {
@@ -35,11 +35,8 @@ std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reac
     if (!J.col(j).isZero(kNoTipMotion)) carrier = std::max(carrier, j);
   // Locked joints, and inner non-backdrivable ones, support the force as structure.
   for (int j = 0; j < J.cols(); ++j) {
-    const bool non_backdrivable =
-        std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
-        reactions.non_backdrivable.end();
     if (!J.col(j).isZero(kNoTipMotion) && !is_locked(reactions, j) &&
-        (!non_backdrivable || j == carrier))
+        (!contains(reactions.non_backdrivable, j) || j == carrier))
       joints.push_back(j);
   }
   return joints;
@@ -97,24 +94,16 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   Eigen::VectorXd lower(m + count), upper(m + count);
   lower << a.lower, a.reactions.lower;
   upper << a.upper, a.reactions.upper;
-  std::vector<Eigen::VectorXd> rows;
-  std::vector<double> limits;
+  program.G.resize(0, n + m + count);
   const auto add = [&](Eigen::Index i, double sign, double limit) {
-    if (!std::isfinite(limit)) return;
-    rows.emplace_back(sign * Eigen::VectorXd::Unit(n + m + count, n + i));
-    limits.push_back(sign * limit);
+    if (std::isfinite(limit))
+      internal::append_limit(program, sign * Eigen::RowVectorXd::Unit(n + m + count, n + i),
+                             sign * limit);
   };
   for (Eigen::Index i = 0; i < m + count; ++i) {
     add(i, 1, upper[i]);
     add(i, -1, lower[i]);
   }
-  program.G.resize(static_cast<Eigen::Index>(rows.size()), n + m + count);
-  program.h.resize(program.G.rows());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    program.G.row(static_cast<Eigen::Index>(r)) = rows[r];
-    program.h[static_cast<Eigen::Index>(r)] = limits[r];
-  }
-  program.cones.assign(rows.size(), 1);
   return program;
 }
 
@@ -129,7 +118,7 @@ MaxForce max_force_along(ConeProgram program, const Eigen::MatrixXd& J, const Ei
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  if (result.status == Status::kUnbounded) return {std::numeric_limits<double>::infinity(), zero};
+  if (result.status == Status::kUnbounded) return {kInfinity, zero};
   if (result.status == Status::kInfeasible) return {0, zero};  // nothing balances the digit
   if (result.status != Status::kSolved) return {kNaN, zero};
   return {-result.objective, J * result.x.head(J.cols())};
@@ -155,7 +144,7 @@ double max_force_by_ascent(const ConeProgram& program, const Eigen::MatrixXd& J,
 
 TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandLayout& layout = hand.layout();
-  const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
+  const HandTip& place = layout.tip_points[tip];
   if (place.link < 0) return {kNaN, kNaN};
   const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
   // Joints that press, and whether their efforts are known.

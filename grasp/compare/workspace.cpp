@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "grasp/closing/approach_sampling.h"
 #include "grasp/closing/fingertip_paths.h"
 #include "grasp/compare/grasp_type.h"
@@ -31,8 +31,7 @@ Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
   voxels.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& p : points.colwise()) {
     Voxel at{0, 0, 0};
-    for (int i = 0; i < dimension; ++i)
-      at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / voxel));
+    for (int i = 0; i < dimension; ++i) at[i] = static_cast<int>(std::floor(p[i] / voxel));
     voxels.push_back(at);
   }
   // Remove duplicates.
@@ -98,7 +97,7 @@ std::vector<int> movers_of_tips(const Hand& hand) {
       far = far.cwiseMax(by.colwise().norm().transpose());
     }
     for (std::size_t t = 0; t < movers.size(); ++t)
-      if (far[static_cast<Eigen::Index>(t)] > kNoMotion) ++movers[t];
+      if (far[t] > kNoMotion) ++movers[t];
   }
   return movers;
 }
@@ -115,7 +114,7 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
   ability.dimension = std::min(ability.dimension, movers);  // a bent curve spans a plane
   if (ability.dimension == 0) return ability;
   // Large voxels have a thick boundary, small ones holes: use the smallest relative error.
-  double min_error = std::numeric_limits<double>::infinity();
+  double min_error = kInfinity;
   for (const double ratio : kVoxelRatios) {
     const Voxels voxels = voxels_of(along, ability.dimension, ratio * voxel);
     const double boundary = count_boundary_voxels(voxels, ability.dimension);
@@ -141,16 +140,14 @@ Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt
   for (int n = 0; n < draws; ++n) {
     if (n % kStopInterval == 0 && progress.stop()) return {};
     const Eigen::Matrix3Xd tips = fingertip_positions(hand, sample_posture(layout, random));
-    for (std::size_t t = 0; t < points.size(); ++t)
-      points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
+    for (std::size_t t = 0; t < points.size(); ++t) points[t].col(n) = tips.col(t);
   }
   Workspaces out;
   std::set<Voxel> thumb, others;
   const std::vector<int> movers = movers_of_tips(hand);
   // The opposing digit is the thumb, or the first digit.
-  const std::string opposing = opposing_digit(hand).empty() && !layout.tip_points.empty()
-                                   ? layout.tip_points[0].digit
-                                   : opposing_digit(hand);
+  std::string opposing = opposing_digit(hand);
+  if (opposing.empty() && !layout.tip_points.empty()) opposing = layout.tip_points[0].digit;
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
     // Measure each workspace, and collect voxels of the opposing digit and of all others.
@@ -160,7 +157,7 @@ Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
   // Their common voxels are the overlap.
-  if (thumb.empty() || others.empty()) out.overlap = std::numeric_limits<double>::quiet_NaN();
+  if (thumb.empty() || others.empty()) out.overlap = kNaN;
   for (const Voxel& each : thumb)
     if (others.count(each) > 0) out.overlap += std::pow(kOverlapVoxelRatio * voxel, 3);
   return out;

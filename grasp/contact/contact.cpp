@@ -1,17 +1,15 @@
 #include "grasp/contact/contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
+
+#include "base/lists.h"
 
 namespace thenar {
 
 std::vector<Contact> contacts_without_hand(const std::vector<HandContact>& contacts) {
-  std::vector<Contact> contacts_without_hand;
-  contacts_without_hand.reserve(contacts.size());
-  for (const HandContact& contact : contacts) contacts_without_hand.push_back(contact.contact);
-  return contacts_without_hand;
+  return transformed(contacts, [](const HandContact& each) { return each.contact; });
 }
 
 Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
-#include "geometry/collision/collision_tree.h"
+#include "base/lists.h"
+#include "base/numbers.h"
 #include "geometry/collision/patch_reduction.h"
-#include "geometry/collision/patch_search.h"
 
 namespace thenar {
 namespace {
@@ -85,11 +83,9 @@ Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::siz
 Eigen::Matrix2Xd project_contacts(const std::vector<HandContact>& contacts,
                                   const Vector3d& normal) {
   const Tangents t = tangents(normal);
-  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(contacts.size()));
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) << t.e1.dot(contacts[i].contact.p),
-        t.e2.dot(contacts[i].contact.p);
-  return points;
+  return as_columns(contacts, [&](const HandContact& each) {
+    return Eigen::Vector2d(t.e1.dot(each.contact.p), t.e2.dot(each.contact.p));
+  });
 }
 
 /// Returns the gap between two ranges of numbers; negative: they overlap.
@@ -102,7 +98,7 @@ double gap_between(const Eigen::RowVectorXd& x, const Eigen::RowVectorXd& y) {
 double hull_distance(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
   Eigen::Matrix2Xd all(2, x.cols() + y.cols());
   all << x, y;
-  double widest = -std::numeric_limits<double>::infinity();
+  double widest = -kInfinity;
   for (Eigen::Index i = 0; i < all.cols(); ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
       const Eigen::Vector2d along = all.col(i) - all.col(j);
@@ -120,7 +116,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
   std::vector<int> nodes{0};
   // Descend into balls that are near the point.
   while (!nodes.empty()) {
-    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
+    const CollisionNode& node = a.nodes[nodes.back()];
     nodes.pop_back();
     if ((node.ball.c - p).norm() > node.ball.r + kPointReach) continue;
     if (node.triangle < 0) {
@@ -129,7 +125,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
       continue;
     }
     // Leaf: keep the triangle if it is near enough.
-    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
+    const SweptTriangle& t = a.triangles[node.triangle];
     if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kPointReach)
       triangles.push_back(&t);
   }
@@ -213,14 +209,13 @@ class PatchFinder {
     // Project the contact points of the region onto its tangent plane.
     const std::vector<PatchPoint> points = touching_points(region);
     const Tangents t = tangents(region.normal);
-    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i)
-      flat.col(static_cast<Eigen::Index>(i)) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
+    const Eigen::Matrix2Xd flat = as_columns(points, [&](const PatchPoint& point) {
+      return Eigen::Vector2d(t.e1.dot(point.on_b), t.e2.dot(point.on_b));
+    });
     // Reduce them to corners of their convex hull.
     const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.max_points);
     ContactPatch patch{{}, region.nearest.distance, reduced.loss, region.normal};
-    for (const int i : reduced.kept)
-      patch.contacts.push_back(contact_at(points[static_cast<std::size_t>(i)]));
+    for (const int i : reduced.kept) patch.contacts.push_back(contact_at(points[i]));
     // The boundary that gives several corners is only known to the resolution.
     if (reduced.kept.size() > 1) patch.loss += options_.resolution;
     result_.patches.push_back(std::move(patch));
@@ -255,7 +250,7 @@ class PatchFinder {
     exactly.within = ball;
     exactly.max_evaluations = options_.max_evaluations;
     const SignedDistance s = signed_distance(a_, X_BA_, b_, exactly);
-    const double radius = a_.triangles[static_cast<std::size_t>(s.triangle)].radius;
+    const double radius = a_.triangles[s.triangle].radius;
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
 
@@ -302,13 +297,7 @@ class PatchFinder {
     const Vector3d goal = point.core + step[0] * t.e1 + step[1] * t.e2;
     const Vector3d core =
         X_BA_ * internal::nearest_in_triangle(triangle.corners, X_BA_.inverse() * goal);
-    const NearestSurface at = b_.nearest(core);
-    return {core,
-            at.distance - point.radius,
-            core - at.distance * at.normal,
-            at.normal,
-            point.radius,
-            at.supports};
+    return patch_point(core, b_.nearest(core), point.radius);
   }
 
   [[nodiscard]] Vector3d normal_at(const PatchPoint& point) const {
@@ -353,7 +342,7 @@ std::optional<ContactPatch> merge_patches(const ContactPatch& x, const ContactPa
   const auto along_normal = [&](const ContactPatch& patch) {
     Eigen::RowVectorXd heights(static_cast<Eigen::Index>(patch.contacts.size()));
     for (std::size_t i = 0; i < patch.contacts.size(); ++i)
-      heights[static_cast<Eigen::Index>(i)] = nearer.normal.dot(patch.contacts[i].contact.p);
+      heights[i] = nearer.normal.dot(patch.contacts[i].contact.p);
     return heights;
   };
   // Patches that are apart along the normal or in the plane are not merged.
@@ -364,11 +353,11 @@ std::optional<ContactPatch> merge_patches(const ContactPatch& x, const ContactPa
   // Reduce the points of both to the corners of one hull.
   std::vector<HandContact> all = nearer.contacts;
   const ContactPatch& other = &nearer == &x ? y : x;
-  all.insert(all.end(), other.contacts.begin(), other.contacts.end());
+  append_all(all, other.contacts);
   const ReducedPoints reduced =
       reduce_points(project_contacts(all, nearer.normal), options.merge, options.max_points);
   ContactPatch merged{{}, nearer.distance, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
-  for (const int i : reduced.kept) merged.contacts.push_back(all[static_cast<std::size_t>(i)]);
+  for (const int i : reduced.kept) merged.contacts.push_back(all[i]);
   return merged;
 }
 
@@ -387,11 +376,9 @@ std::vector<HandContact> number_patch_contacts(const std::vector<ContactPatch>& 
 
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kMaxFaceCosine = 0.984807753012208;  // cosine of 10 degrees between faces [1]
 constexpr double kMinEdgeSine = 0.17364817766693;     // sine of 10 degrees between edges [1]
-constexpr double kSharpCosine = 0.86602540378443865;  // cosine of 30 degrees at an edge [1]
+constexpr double kSharpCosine = kMinRegionCosine;     // cosine of 30 degrees at an edge [1]
 constexpr double kMinMeanNormal = 0.1;  // norm of a sum of normals that has a direction [1]
 
 /// Normals of B at a contact point and around it.
@@ -426,9 +413,7 @@ Around around(const PatchPoint& point, const Shape& b) {
 
 /// Returns the normals of A's triangles at a point in A's frame.
 std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
-  std::vector<Vector3d> normals;
-  for (const SweptTriangle* t : triangles_at(a, p)) normals.push_back(t->n);
-  return normals;
+  return transformed(triangles_at(a, p), [](const SweptTriangle* t) { return t->n; });
 }
 
 /// Returns the mean of the normals; zero if two of them differ too much, or a segment or point has

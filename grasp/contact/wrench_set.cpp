@@ -1,11 +1,10 @@
 #include "grasp/contact/wrench_set.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "base/error.h"
-#include "grasp/contact/contact.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -16,10 +15,10 @@ void require_sound(const Contact& contact, std::size_t i) {
   require(contact.p.allFinite() && contact.n.allFinite(), "contact {} is not finite", i);
   require(std::abs(contact.n.norm() - 1) < kUnitError,
           "normal of contact {} has length {}, wanted 1", i, contact.n.norm());
-  require(contact.friction >= 0 && contact.friction < std::numeric_limits<double>::infinity(),
-          "friction of contact {} is {}", i, contact.friction);
-  require(contact.torsion >= 0 && contact.torsion < std::numeric_limits<double>::infinity(),
-          "torsion of contact {} is {} m", i, contact.torsion);
+  require(contact.friction >= 0 && contact.friction < kInfinity, "friction of contact {} is {}", i,
+          contact.friction);
+  require(contact.torsion >= 0 && contact.torsion < kInfinity, "torsion of contact {} is {} m", i,
+          contact.torsion);
 }
 
 /// Builds the cap of one contact.
@@ -46,8 +45,7 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
 
 WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
                      double torque_scale) {
-  require(torque_scale > 0 && torque_scale < std::numeric_limits<double>::infinity(),
-          "torque scale is {} m", torque_scale);
+  require(torque_scale > 0 && torque_scale < kInfinity, "torque scale is {} m", torque_scale);
   require(centre.allFinite(), "the centre is not finite");
   // One cap for each contact point.
   WrenchSet set;
@@ -61,8 +59,17 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
   return set;
 }
 
+Eigen::Matrix<double, 6, Eigen::Dynamic> wrench_columns(const WrenchSet& set) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
+  for (const WrenchCap& cap : set.caps) {
+    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
+    all.rightCols(1 + cap.A.cols()) << cap.c.vector(), cap.A;
+  }
+  return all;
+}
+
 double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
-  double largest = -std::numeric_limits<double>::infinity(), sum = 0;
+  double largest = -kInfinity, sum = 0;
   std::map<int, double> shared;  // maximum over the caps of each numbered contact, where positive
   for (const WrenchCap& cap : set.caps) {
     // Support of one cap: an ellipsoid.

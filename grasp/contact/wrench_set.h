@@ -49,6 +49,9 @@ inline constexpr std::array kForceNormNames{EnumName{ForceNorm::kL1, "l1"},
 [[nodiscard]] WrenchSet wrench_set(const std::vector<Contact>& contacts,
                                    const Eigen::Vector3d& centre, double torque_scale);
 
+/// Returns the frictionless unit wrench and the semi-axes of each cap as columns (6, n).
+[[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> wrench_columns(const WrenchSet& set);
+
 /// Computes the support function of the whole set:  kL1: the maximum over all caps;  kLinf: the sum
 /// over contacts of the maximum of their caps, where positive.
 [[nodiscard]] double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit);

@@ -7,7 +7,7 @@
 
 #include <Eigen/QR>
 
-#include "grasp/limits/force_set.h"
+#include "base/lists.h"
 #include "grasp/limits/grasp_force.h"
 #include "grasp/limits/joint_limits.h"
 
@@ -40,8 +40,7 @@ std::vector<bool> works_on_internal_forces(const WrenchSet& set, const MatrixXd&
   // The remaining torques are due to internal forces.
   const MatrixXd internal = T - (T * Q) * Q.transpose();
   for (Index j = 0; j < T.rows(); ++j)
-    squeezing[static_cast<std::size_t>(j)] =
-        internal.row(j).norm() > kForceRounding * T.row(j).norm();
+    squeezing[j] = internal.row(j).norm() > kForceRounding * T.row(j).norm();
   return squeezing;
 }
 
@@ -94,7 +93,7 @@ class OneContact {
   /// Returns the normal lever of a coordinate over its longest lever [1]; 0 if it does no work on
   /// internal forces.
   [[nodiscard]] double normal_ratio(Index j) const {
-    if (!squeezing_[static_cast<std::size_t>(j)] || !carries_force(j)) return 0;
+    if (!squeezing_[j] || !carries_force(j)) return 0;
     return std::abs(torques_(j, 0)) / longest_lever(j);
   }
   [[nodiscard]] bool is_stopped(Index j) const {
@@ -105,10 +104,7 @@ class OneContact {
   /// @param worm  the non-backdrivable coordinate that presses, or -1
   [[nodiscard]] bool presses(Index j, int worm) const {
     if (normal_ratio(j) < min_ratio_ || is_locked(reactions_, j)) return false;
-    const auto& non_backdrivable = reactions_.non_backdrivable;
-    if (std::find(non_backdrivable.begin(), non_backdrivable.end(), j) != non_backdrivable.end())
-      return j == worm;
-    return !is_stopped(j);
+    return contains(reactions_.non_backdrivable, j) ? j == worm : !is_stopped(j);
   }
 
   /// Returns the coordinate with the longest lever of those that the normal force pushes against
@@ -176,9 +172,7 @@ JointLoads find_contact_support(const WrenchSet& set, const MatrixXd& T,
 
 namespace {
 
-using Eigen::Index;
 using Eigen::RowVectorXd;
-using Eigen::VectorXd;
 
 /// Rows over y = (x, p, v, r, s) that limit preload; s is absent if no coordinate away from its
 /// limits presses.
@@ -224,8 +218,7 @@ class PreloadLimits {
             Status::kInfeasible)
       return forces_;
     // No effort keeps the hand in balance and away from its limits: they are not pressed.
-    append_limits(without_pressing, sum_of(SupportKind::kJointLimit) - sum_of_stops_,
-                  VectorXd::Zero(1));
+    append_limit(without_pressing, sum_of(SupportKind::kJointLimit) - sum_of_stops_, 0);
     return without_pressing;
   }
 
@@ -294,8 +287,7 @@ class PreloadLimits {
         row(contact.first) = std::max(0.0, sign * contact.levers(j));
     // Scale by the longest lever; an unlimited torque needs no row.
     const double longest = row.maxCoeff(), limit = std::max(0.0, max_torque(j, sign));
-    if (longest > 0 && std::isfinite(limit))
-      append_limits(forces_, row / longest, VectorXd::Constant(1, limit / longest));
+    if (longest > 0 && std::isfinite(limit)) append_limit(forces_, row / longest, limit / longest);
   }
 
   /// Adds  0 <= s_i <= x_i0, and limits the sum of passive forces by the sum of active ones.
@@ -303,17 +295,17 @@ class PreloadLimits {
     Index s = s_;
     for (const ContactSupport& contact : joint_loads_.contacts) {
       if (contact.kind != SupportKind::kJointLimit || s == forces_.wrench.cols()) continue;
-      append_limits(forces_, -unit(s), VectorXd::Zero(1));
-      append_limits(forces_, unit(s++) - unit(contact.first), VectorXd::Zero(1));
+      append_limit(forces_, -unit(s), 0);
+      append_limit(forces_, unit(s++) - unit(contact.first), 0);
     }
     // sum s <= sum of active normal forces.
-    if (s > s_) append_limits(forces_, sum_of_stops_ - pressed_, VectorXd::Zero(1));
+    if (s > s_) append_limit(forces_, sum_of_stops_ - pressed_, 0);
     // sum x of structure + sum s <= active sum + sum a, with a = x - s of joint limits.
     if (count(SupportKind::kStructure) > 0)
-      append_limits(forces_,
-                    sum_of(SupportKind::kStructure) + 2 * sum_of_stops_ -
-                        sum_of(SupportKind::kJointLimit) - (1 + preload_slack_) * pressed_,
-                    VectorXd::Zero(1));
+      append_limit(forces_,
+                   sum_of(SupportKind::kStructure) + 2 * sum_of_stops_ -
+                       sum_of(SupportKind::kJointLimit) - (1 + preload_slack_) * pressed_,
+                   0);
   }
 
   /// Returns the row of a_i = x_i0 - s_i of contacts at the joint limit of a coordinate, times
@@ -342,13 +334,13 @@ class PreloadLimits {
     row.segment(r, clutches_.cols()) = -sign * clutches_.row(row_of(j));
     // Scale to a largest coefficient of 1.
     const double size = row.cwiseAbs().maxCoeff();
-    append_limits(forces_, row / size, VectorXd::Constant(1, sign * actuation_.tau_0(j) / size));
+    append_limit(forces_, row / size, sign * actuation_.tau_0(j) / size);
   }
 
   /// Adds a = 0: springs keep the joint at its limit for all efforts.
   void release_stop(int j) {
     const RowVectorXd row = pressed_at(j);
-    append_limits(forces_, row / row.cwiseAbs().maxCoeff(), VectorXd::Zero(1));
+    append_limit(forces_, row / row.cwiseAbs().maxCoeff(), 0);
   }
 
   ForceSet forces_;

@@ -1,7 +1,6 @@
 #include "grasp/limits/drive_torques.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/numbers.h"
 #include "grasp/limits/joint_limits.h"
@@ -90,8 +89,7 @@ DriveTorques drive_torques(const HandLayout& layout, const VectorXd& q) {
   torques.B.resize(q.size(), static_cast<Eigen::Index>(layout.drives.size()));
   torques.reactions.R.resize(q.size(), 0);
   for (std::size_t k = 0; k < layout.drives.size(); ++k)
-    torques.B.col(static_cast<Eigen::Index>(k)) =
-        OneDrive(layout.drives[k], q, torques.reactions).torque();
+    torques.B.col(k) = OneDrive(layout.drives[k], q, torques.reactions).torque();
   return torques;
 }
 

@@ -21,7 +21,7 @@ constexpr double kPositionError = 1e-4;  // uncertainty of contact positions ove
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using internal::append_limits;
+using internal::append_limit;
 using internal::append_variables;
 
 Index variables_of(const WrenchSet& set) {
@@ -71,12 +71,9 @@ void add_passive_forces(ForceSet& forces, const WrenchSet& set,
   append_variables(forces, count);
   for (Index i = 0; i < count; ++i) {
     const Index column = first + i;
-    forces.wrench.col(column) =
-        set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])]
-            .c.vector();
+    forces.wrench.col(column) = set.caps[passive_contacts[i]].c.vector();
     forces.normals(column) = 1;
-    append_limits(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column),
-                  VectorXd::Zero(1));
+    append_limit(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column), 0);
   }
   forces.passive_contacts = passive_contacts;
 }
@@ -103,8 +100,8 @@ void balance_torques(ForceSet& forces, const internal::JointLoads& joint_loads,
 /// Adds  lower <= unit y_i <= upper,  for finite limits.
 void add_bounds(ForceSet& forces, Index i, double lower, double upper, double unit) {
   const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), i);
-  if (std::isfinite(upper)) append_limits(forces, one, VectorXd::Constant(1, upper / unit));
-  if (std::isfinite(lower)) append_limits(forces, -one, VectorXd::Constant(1, -lower / unit));
+  if (std::isfinite(upper)) append_limit(forces, one, upper / unit);
+  if (std::isfinite(lower)) append_limit(forces, -one, -lower / unit);
 }
 
 /// Returns the loads of a contact's variables about the contact: columns (torque, force) as the
@@ -126,7 +123,7 @@ ForceSet free_forces(const WrenchSet& set) {
   ForceSet forces;
   forces.contacts = static_cast<int>(set.caps.size());
   // Without a hand there is no balance; each contact's variables are in its cone.
-  forces.wrench.resize(6, n);
+  forces.wrench = wrench_columns(set);
   forces.normals.setZero(n);
   forces.A.resize(0, n);
   forces.b.resize(0);
@@ -135,8 +132,6 @@ ForceSet free_forces(const WrenchSet& set) {
   // Columns of each cap: frictionless unit wrench, then its semi-axes.
   Index column = 0;
   for (const WrenchCap& cap : set.caps) {
-    forces.wrench.col(column) = cap.c.vector();
-    forces.wrench.middleCols(column + 1, cap.A.cols()) = cap.A;
     forces.normals(column) = 1;
     forces.cones.push_back(1 + static_cast<int>(cap.A.cols()));
     forces.patch.push_back(cap.contact);
@@ -150,7 +145,7 @@ ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
   const Index n = forces.normals.size();
   // L1: one limit of the sum of all normal forces.
   if (limit == ForceNorm::kL1) {
-    append_limits(forces, forces.normals, VectorXd::Ones(1));
+    append_limit(forces, forces.normals, 1);
     return forces;
   }
   // Linf: one limit for each patch, of the sum over its points.
@@ -160,11 +155,11 @@ ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
     const Eigen::RowVectorXd normal = Eigen::RowVectorXd::Unit(n, column);
     column += 1 + cap.A.cols();
     if (cap.contact < 0)
-      append_limits(forces, normal, VectorXd::Ones(1));
+      append_limit(forces, normal, 1);
     else
       shared.try_emplace(cap.contact, Eigen::RowVectorXd::Zero(n)).first->second += normal;
   }
-  for (const auto& [contact, sum] : shared) append_limits(forces, sum, VectorXd::Ones(1));
+  for (const auto& [contact, sum] : shared) append_limit(forces, sum, 1);
   return forces;
 }
 
@@ -209,11 +204,9 @@ ForceSet active_only(ForceSet forces) {
   const Index pressed = forces.wrench.cols();
   Index first = 0;  // first entry of p, after x
   // Passive forces p follow the contacts' own variables; set each to zero.
-  for (int contact = 0; contact < forces.contacts; ++contact)
-    first += forces.cones[static_cast<std::size_t>(contact)];
+  for (int contact = 0; contact < forces.contacts; ++contact) first += forces.cones[contact];
   for (std::size_t i = 0; i < forces.passive_contacts.size(); ++i)
-    append_limits(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
-                  VectorXd::Zero(1));
+    append_limit(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)), 0);
   return forces;
 }
 
@@ -235,7 +228,7 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
     MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
     // Transposed Jacobian of the contact point; a palm that cannot move has none.
     if (link >= 0) {
-      const Eigen::Vector3d reference = poses[static_cast<std::size_t>(link)].inverse() * p_H;
+      const Eigen::Vector3d reference = poses[link].inverse() * p_H;
       torques = hand.jacobian(q, link, reference).transpose() * loads;
     }
     T.conservativeResize(q.size(), T.cols() + loads.cols());
@@ -249,7 +242,7 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   Index column = 0;
   // Active force of each contact.
   for (int i = 0; i < set.contacts; ++i) {
-    const int size = set.cones[static_cast<std::size_t>(i)];
+    const int size = set.cones[i];
     result.wrenches.push_back(ScaledWrench::from_coordinates(set.wrench.middleCols(column, size) *
                                                              y.segment(column, size)));
     result.normal(i) = y(column);
@@ -257,8 +250,7 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   }
   // Passive forces are added to the contacts that carry them.
   for (const int contact : set.passive_contacts) {
-    result.wrenches[static_cast<std::size_t>(contact)] +=
-        ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
+    result.wrenches[contact] += ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
     result.normal(contact) += y(column++);
   }
   // Efforts in SI units.
@@ -272,13 +264,10 @@ namespace thenar::internal {
 
 using Eigen::Index;
 
-void append_limits(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper) {
-  const Index old = forces.G.rows();
-  forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
-  forces.G.bottomRows(rows.rows()) = rows;
-  forces.h.conservativeResize(old + rows.rows());
-  forces.h.tail(rows.rows()) = upper;
-  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
+void append_variable(ConeProgram& program) {
+  append_entry(program.c, 0);
+  append_column(program.A, Eigen::VectorXd::Zero(program.A.rows()));
+  append_column(program.G, Eigen::VectorXd::Zero(program.G.rows()));
 }
 
 void append_variables(ForceSet& forces, Index count) {

@@ -108,9 +108,27 @@ struct ContactForces {
 
 namespace thenar::internal {
 
-/// Appends the limits  rows y <= upper,  each as a cone of its own.
+/// Appends the limits  rows y <= upper  to a force set or a cone program, each as a cone of its
+/// own.
 /// @param rows  (k, n);  @param upper  (k)
-void append_limits(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper);
+template <typename Program>
+void append_limits(Program& program, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper) {
+  const Eigen::Index old = program.G.rows();
+  program.G.conservativeResize(old + rows.rows(), program.G.cols());
+  program.G.bottomRows(rows.rows()) = rows;
+  program.h.conservativeResize(old + rows.rows());
+  program.h.tail(rows.rows()) = upper;
+  program.cones.insert(program.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
+}
+
+/// Appends one such limit.
+template <typename Program>
+void append_limit(Program& program, const Eigen::RowVectorXd& row, double upper) {
+  append_limits(program, row, Eigen::VectorXd::Constant(1, upper));
+}
+
+/// Appends a variable with zero coefficients to a cone program.
+void append_variable(ConeProgram& program);
 
 /// Appends variables that no row uses yet. @param count  number of variables
 void append_variables(ForceSet& forces, Eigen::Index count);

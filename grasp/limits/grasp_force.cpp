@@ -32,26 +32,20 @@ PatchRows patch_rows(const ForceSet& forces) {
 void minimise_max_force(ConeProgram& program, const ForceSet& forces) {
   // Add a column for t, with the objective t alone.
   const PatchRows patches = patch_rows(forces);
-  const Index n = program.c.size(), rows = program.G.rows();
+  const Index n = program.c.size();
+  internal::append_variable(program);
   program.c = VectorXd::Unit(n + 1, n);
-  program.A.conservativeResize(program.A.rows(), n + 1);
-  program.A.col(n).setZero();
-  program.G.conservativeResize(rows + patches.count, n + 1);
-  program.G.col(n).setZero();
-  program.G.bottomRows(patches.count).setZero();
   // Rows of patches:  sum of f_n - t <= 0.
-  program.G.col(n).tail(patches.count).setConstant(-1);
-  program.h.conservativeResize(rows + patches.count);
-  program.h.tail(patches.count).setZero();
-  program.cones.insert(program.cones.end(), static_cast<std::size_t>(patches.count), 1);
+  MatrixXd rows = MatrixXd::Zero(patches.count, n + 1);
+  rows.col(n).setConstant(-1);
   // Active and passive normal forces of a contact count in the row of its patch.
   Index column = 0;
   for (std::size_t i = 0; i < patches.of_contact.size(); ++i) {
-    program.G(rows + patches.of_contact[i], column) = 1;
+    rows(patches.of_contact[i], column) = 1;
     column += forces.cones[i];
   }
-  for (const int contact : forces.passive_contacts)
-    program.G(rows + patches.of_contact[static_cast<std::size_t>(contact)], column++) = 1;
+  for (const int contact : forces.passive_contacts) rows(patches.of_contact[contact], column++) = 1;
+  internal::append_limits(program, rows, VectorXd::Zero(patches.count));
 }
 
 }  // namespace

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Index;
-
-bool is_non_backdrivable(const Reactions& reactions, int coordinate) {
-  return std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(),
-                   coordinate) != reactions.non_backdrivable.end();
-}
 
 /// Returns whether the reaction acts on this coordinate alone.
 bool is_own(const Reactions& reactions, Index i, Index coordinate) {
@@ -24,13 +20,9 @@ bool is_own(const Reactions& reactions, Index i, Index coordinate) {
 }  // namespace
 
 void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double lower, double upper) {
-  const Index old = reactions.lower.size();
-  reactions.R.conservativeResize(torque.size(), old + 1);
-  reactions.R.col(old) = torque;
-  reactions.lower.conservativeResize(old + 1);
-  reactions.lower(old) = lower;
-  reactions.upper.conservativeResize(old + 1);
-  reactions.upper(old) = upper;
+  append_column(reactions.R, torque);
+  append_entry(reactions.lower, lower);
+  append_entry(reactions.upper, upper);
 }
 
 Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q) {
@@ -58,7 +50,7 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
     // A non-backdrivable drive already supports what a joint limit of its coordinate would.
     const bool stops = reactions.lower(i) == 0 && reactions.upper(i) == kInfinity;
     const bool worm =
-        stops && is_non_backdrivable(reactions, innermost) && is_own(reactions, i, innermost);
+        stops && contains(reactions.non_backdrivable, innermost) && is_own(reactions, i, innermost);
     if (worm || !std::binary_search(coordinates.begin(), coordinates.end(), innermost))
       rows.col(i).setZero();
   }

@@ -21,17 +21,6 @@ ConeProgram program_of(const ForceSet& forces) {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
 }
 
-/// Appends a variable with zero coefficients.
-void add_variable(ConeProgram& program) {
-  const Index n = program.c.size();
-  program.c.conservativeResize(n + 1);
-  program.c(n) = 0;
-  program.A.conservativeResize(program.A.rows(), n + 1);
-  program.A.col(n).setZero();
-  program.G.conservativeResize(program.G.rows(), n + 1);
-  program.G.col(n).setZero();
-}
-
 void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& values) {
   const Index old = program.A.rows();
   program.A.conservativeResize(old + rows.rows(), program.c.size());
@@ -48,15 +37,11 @@ double max_limit(const ConeProgram& program) {
 /// Returns whether the last variable reaches a value far above all limits. The program is scaled by
 /// this value.
 bool reaches_value(ConeProgram program, double value) {
-  const Index rows = program.G.rows(), last = program.c.size() - 1;
   program.b /= value;
   program.h /= value;
-  program.G.conservativeResize(rows + 1, program.G.cols());
   // Add one more limit: the scaled variable is at most 1.
-  program.G.row(rows) = Eigen::RowVectorXd::Unit(program.G.cols(), last);
-  program.h.conservativeResize(rows + 1);
-  program.h(rows) = 1;
-  program.cones.push_back(1);
+  const Index n = program.c.size();
+  internal::append_limit(program, Eigen::RowVectorXd::Unit(n, n - 1), 1);
   const ConeResult result = solve(program);
   return result.status == Status::kSolved && -result.objective > kReachedShare;
 }
@@ -114,7 +99,7 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
   require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
   // Add a variable k to maximise.
   ConeProgram program = program_of(forces);
-  add_variable(program);
+  internal::append_variable(program);
   program.c(program.c.size() - 1) = -1;
   // Constrain it:  rows W y - k direction = start.
   MatrixXd equalities(rows.rows(), program.c.size());

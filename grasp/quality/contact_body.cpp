@@ -1,12 +1,13 @@
 #include "grasp/quality/contact_body.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
 #include <Eigen/Dense>
+
+#include "base/lists.h"
 
 namespace thenar::internal {
 namespace {
@@ -69,19 +70,19 @@ ContactFace edge(const WrenchCoordinates& from, const WrenchCoordinates& to) {
 }
 
 void add_inward(ContactFace& face, const WrenchCoordinates& along) {
-  face.inward[static_cast<std::size_t>(face.inward_count++)] = along;
+  face.inward[face.inward_count++] = along;
 }
 
 ContactFace whole(const Basis& Q, double size) {
   ContactFace face = face_of(static_cast<int>(Q.cols()), size);
-  for (int i = 0; i < Q.cols(); ++i) face.span[static_cast<std::size_t>(i)] = Q.col(i);
+  for (int i = 0; i < Q.cols(); ++i) face.span[i] = Q.col(i);
   return face;
 }
 
 /// Returns the edges of a planar polygon, each with its inward direction, and the polygon itself.
 void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, double tolerance) {
   const std::vector<int> corners = corners_of(x, tolerance);
-  const auto point = [&](int i) { return body.points[static_cast<std::size_t>(i)]; };
+  const auto point = [&](int i) { return body.points[i]; };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     ContactFace face = edge(point(corners[i]), point(corners[(i + 1) % corners.size()]));
     add_inward(face, point(opposite(x, corners, i)) - point(corners[i]));
@@ -114,9 +115,7 @@ class FaceSolid {
   }
 
  private:
-  [[nodiscard]] const WrenchCoordinates& point(int i) const {
-    return body_.points[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const WrenchCoordinates& point(int i) const { return body_.points[i]; }
 
   /// Adds the plane through three points as a face if all points lie on one side.
   void add_plane(int i, int j, int k) {
@@ -142,9 +141,8 @@ class FaceSolid {
   void add_face(const Eigen::Vector3d& n, const std::vector<int>& on, const Eigen::RowVectorXd& s) {
     // Corners of the face in its plane.
     const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
-    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(on.size()));
-    for (std::size_t i = 0; i < on.size(); ++i)
-      flat.col(static_cast<Eigen::Index>(i)) << a.dot(x_.col(on[i])), b.dot(x_.col(on[i]));
+    const Eigen::Matrix2Xd flat =
+        as_columns(on, [&](int i) { return Eigen::Vector2d(a.dot(x_.col(i)), b.dot(x_.col(i))); });
     const std::vector<int> corners = corners_of(flat, tolerance_);
     // Its inward direction leads to the deepest point.
     ContactFace face = face_of(2, area(flat, corners));
@@ -157,7 +155,7 @@ class FaceSolid {
     volume_ += face.size * depth_of_middle(n, on.front()) / 3;
     // Each edge stores the opposite corner in this face.
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto number = [&](int corner) { return on[static_cast<std::size_t>(corner)]; };
+      const auto number = [&](int corner) { return on[corner]; };
       const std::pair<int, int> ends =
           std::minmax({number(corners[i]), number(corners[(i + 1) % corners.size()])});
       edges_[ends].push_back(number(opposite(flat, corners, i)));
@@ -181,9 +179,7 @@ std::vector<WrenchCoordinates> distinct(const std::vector<WrenchCoordinates>& po
                                         double tolerance) {
   std::vector<WrenchCoordinates> kept{WrenchCoordinates::Zero()};
   for (const WrenchCoordinates& point : points)
-    if (std::all_of(kept.begin(), kept.end(), [&](const WrenchCoordinates& other) {
-          return (other - point).norm() > tolerance;
-        }))
+    if (all_of(kept, [&](const auto& other) { return (other - point).norm() > tolerance; }))
       kept.push_back(point);
   return kept;
 }
@@ -197,9 +193,7 @@ std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& po
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};
-  Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, static_cast<Eigen::Index>(body.points.size()));
-  for (std::size_t i = 0; i < body.points.size(); ++i)
-    P.col(static_cast<Eigen::Index>(i)) = body.points[i];
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> P = as_columns(body.points);
   // Dimension of the body, and its coordinates in an orthonormal basis.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
   const auto rank = (svd.singularValues().array() > tolerance).count();

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/stop_scope.h"
-#include "grasp/quality/support_function.h"
 #include "grasp/quality/support_proof.h"
 #include "solvers/incremental_hull.h"
 
@@ -38,8 +36,7 @@ constexpr double kProvableGap = 1e-9;  // gap that proofs of two caps reach, ove
 constexpr double kOutsideGap = 1e-10;
 
 void require_options(const WrenchSet& set, const EpsilonOptions& options) {
-  require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
-          "the gap is {}, wanted > 0", options.gap);
+  require(options.gap > 0 && options.gap < kInfinity, "the gap is {}, wanted > 0", options.gap);
   require(options.max_facets > 0, "the hull may have {} facets, wanted > 0", options.max_facets);
   for (std::size_t i = 0; i < set.caps.size(); ++i)
     require(set.caps[i].c.is_finite() && set.caps[i].A.allFinite(), "wrenches {} are not finite",
@@ -107,8 +104,6 @@ class EpsilonSearch {
     out.upper = upper_;
     out.rank = 6;
     out.force_closure = lower_ > 0;
-    out.has_missing_direction = false;
-    out.missing_direction = {};
     out.worst_wrench = -worst();
     out.converged = upper_ - lower_ <= options_.gap;
     out.supports = supports_;
@@ -197,7 +192,7 @@ class EpsilonSearch {
 
   const SupportFunction& support_;
   const EpsilonOptions& options_;
-  double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
+  double lower_ = 0, upper_ = kInfinity;
   WrenchCoordinates worst_ = WrenchCoordinates::Unit(0);
   int supports_ = 0, facets_ = 0;
 };
@@ -271,10 +266,8 @@ struct Corral {
   Eigen::VectorXd weights;  // >= 0, sum 1
 
   void add(const WrenchCoordinates& p) {
-    points.conservativeResize(6, points.cols() + 1);
-    points.rightCols<1>() = p;
-    weights.conservativeResize(points.cols());
-    weights(points.cols() - 1) = 0;
+    append_column(points, p);
+    append_entry(weights, 0);
   }
 
   void drop(Eigen::Index i) {
@@ -316,7 +309,7 @@ struct Corral {
 MinNorm min_norm(const SupportFunction& support, double gap) {
   // Start from any support point.
   const WrenchCoordinates start = WrenchCoordinates::Constant(1 / std::sqrt(6.0));
-  MinNorm out{support(start).p, start, std::numeric_limits<double>::infinity(), 1};
+  MinNorm out{support(start).p, start, kInfinity, 1};
   Corral corral;
   corral.add(out.x);
   corral.weights(0) = 1;

@@ -14,13 +14,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(const std::vector<Contact>
     if (contact.friction > 0) contact.friction = 1;
     if (contact.torsion > 0) contact.torsion = torque_scale;
   }
-  const WrenchSet set = wrench_set(unit, centre, torque_scale);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 0);
-  for (const WrenchCap& cap : set.caps) {
-    G.conservativeResize(6, G.cols() + 1 + cap.A.cols());
-    G.rightCols(1 + cap.A.cols()) << cap.c.vector(), cap.A;
-  }
-  return G;
+  return wrench_columns(wrench_set(unit, centre, torque_scale));
 }
 
 GraspMatrixMeasures grasp_matrix_measures(const Eigen::MatrixXd& G) {

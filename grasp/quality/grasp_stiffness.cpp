@@ -1,7 +1,5 @@
 #include "grasp/quality/grasp_stiffness.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -45,11 +43,8 @@ Springs springs_of(const std::vector<Contact>& contacts, const Eigen::Vector3d& 
     for (Index j = 0; j < 4; ++j) {
       require(k(j) >= 0, "a stiffness of pad {} is {}", i, k(j));
       if (k(j) == 0) continue;
-      const Index n = springs.k.size();
-      springs.G.conservativeResize(6, n + 1);
-      springs.G.col(n) = G.col(j);
-      springs.k.conservativeResize(n + 1);
-      springs.k(n) = k(j);
+      append_column(springs.G, G.col(j));
+      append_entry(springs.k, k(j));
       springs.component.push_back(4 * static_cast<Index>(i) + j);
     }
   }
@@ -63,9 +58,7 @@ MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, 
           joints.k.size());
   require(joints.J.allFinite() && (joints.k.array() > 0).all(),
           "J must be finite, joint stiffness > 0");
-  MatrixXd J(springs.k.size(), joints.J.cols());
-  for (Index i = 0; i < J.rows(); ++i)
-    J.row(i) = joints.J.row(springs.component[static_cast<std::size_t>(i)]);
+  const MatrixXd J = joints.J(springs.component, Eigen::all);
   return J * joints.k.cwiseInverse().asDiagonal() * J.transpose();
 }
 

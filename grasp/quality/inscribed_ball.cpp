@@ -1,7 +1,6 @@
 #include "grasp/quality/inscribed_ball.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -14,22 +13,14 @@ namespace {
 constexpr double kMinNewDistance =
     1e-9;  // distance beyond a facet over its size from which a point is new [1]
 
-/// Returns the forces with a limit on the sum of normal forces.
-ForceSet with_strength(ForceSet forces, double max_total_force) {
-  const Eigen::Index rows = forces.G.rows();
-  forces.G.conservativeResize(rows + 1, forces.G.cols());
-  forces.G.row(rows) = forces.normals;
-  forces.h.conservativeResize(rows + 1);
-  forces.h(rows) = max_total_force;
-  forces.cones.push_back(1);
-  return forces;
-}
-
 /// Polytope of boundary points of the set; its facets and supports bound the inscribed ball.
 class BallSearch {
  public:
   BallSearch(const ForceSet& forces, const BallOptions& options)
-      : forces_(with_strength(forces, options.max_total_force)), options_(options) {}
+      : forces_(forces), options_(options) {
+    // Limit the sum of normal forces.
+    internal::append_limit(forces_, forces.normals, options.max_total_force);
+  }
 
   InscribedBall run() {
     // Most sets contain the zero wrench, the centre of the ball.
@@ -98,12 +89,7 @@ class BallSearch {
   WrenchSet points_;
   double size_ = 0;
   bool exhausted_ = false;
-  InscribedBall result_{Status::kSolved,
-                        -std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::infinity(),
-                        ScaledWrench{},
-                        0,
-                        0};
+  InscribedBall result_{Status::kSolved, -kInfinity, kInfinity, ScaledWrench{}, 0, 0};
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/quality/contact_body.h"
 
@@ -55,8 +56,7 @@ Form wedge(const Form& f, int degree, const WrenchCoordinates& v) {
   static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
                                                     terms(4)};
   Form out{};
-  for (const Term& term : all[static_cast<std::size_t>(degree)])
-    out[term.out] += term.sign * f[term.in] * v[term.axis];
+  for (const Term& term : all[degree]) out[term.out] += term.sign * f[term.in] * v[term.axis];
   return out;
 }
 
@@ -65,7 +65,7 @@ WrenchCoordinates normal(const Form& five) {
   WrenchCoordinates u;
   for (int axis = 0; axis < 6; ++axis) {
     const int others = kAllAxes ^ 1 << axis;
-    u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
+    u[axis] = sign(others, axis) * five[others];
   }
   return u;
 }
@@ -85,14 +85,13 @@ Matrix6 normals(const Form& four) {
 
 /// Product of a form of `count` vectors and the vectors along a face.
 Form wedge(Form f, int count, const ContactFace& face) {
-  for (int i = 0; i < face.dimension; ++i)
-    f = wedge(f, count + i, face.span[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < face.dimension; ++i) f = wedge(f, count + i, face.span[i]);
   return f;
 }
 
 /// Product of a number and the lengths of the vectors along a face.
 double times_lengths(double lengths, const ContactFace& face) {
-  for (int i = 0; i < face.dimension; ++i) lengths *= face.span[static_cast<std::size_t>(i)].norm();
+  for (int i = 0; i < face.dimension; ++i) lengths *= face.span[i].norm();
   return lengths;
 }
 
@@ -150,7 +149,7 @@ class Sum {
     // Outer normals have all neighbouring faces of each chosen face behind them.
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
       for (int i = 0; i < chosen->face->inward_count; ++i) {
-        const WrenchCoordinates& inward = chosen->face->inward[static_cast<std::size_t>(i)];
+        const WrenchCoordinates& inward = chosen->face->inward[i];
         const double t = -u.dot(inward);
         if (std::abs(t) < kZeroDeterminant * lengths * inward.norm()) {
           uncertain = true;
@@ -200,19 +199,15 @@ class Sum {
   const std::vector<ContactBody>& bodies_;
   double no_area_;
   const Progress& progress_;
-  std::vector<double> longest_ = longest_of(bodies_);
+  std::vector<double> longest_ = transformed(bodies_, longest_of);
   std::vector<Chosen> chosen_;
   bool tie_ = false, stopped_ = false;
   double volume_ = 0, surface_ = 0;
   WrenchCoordinates surplus_ = WrenchCoordinates::Zero();
 
-  static std::vector<double> longest_of(const std::vector<ContactBody>& bodies) {
-    std::vector<double> longest;
-    for (const ContactBody& body : bodies) {
-      double length = 0;
-      for (const WrenchCoordinates& point : body.points) length = std::max(length, point.norm());
-      longest.push_back(length);
-    }
+  static double longest_of(const ContactBody& body) {
+    double longest = 0;
+    for (const WrenchCoordinates& point : body.points) longest = std::max(longest, point.norm());
     return longest;
   }
 };

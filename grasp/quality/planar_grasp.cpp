@@ -1,13 +1,14 @@
 #include "grasp/quality/planar_grasp.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "base/error.h"
+#include "base/lists.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -53,15 +54,15 @@ class LeastSupport {
     }
   }
 
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   Vector3d at{0, 0, 0};
 
  private:
   [[nodiscard]] double support(const Vector3d& u) const {
     // L1: the maximum over points; Linf: the sum of the maxima of all contacts, where positive.
-    double sum = 0, largest = -std::numeric_limits<double>::infinity();
+    double sum = 0, largest = -kInfinity;
     for (const Points& points : groups_) {
-      double best = -std::numeric_limits<double>::infinity();
+      double best = -kInfinity;
       for (const Vector3d& p : points) best = std::max(best, u.dot(p));
       sum += std::max(0.0, best);
       largest = std::max(largest, best);
@@ -76,7 +77,7 @@ class LeastSupport {
 /// L1: evaluates the normals of facets through three points of the set.
 void look_at_triples(LeastSupport& search, const std::vector<Points>& groups) {
   Points all;
-  for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
+  for (const Points& points : groups) append_all(all, points);
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j)
       for (std::size_t k = j + 1; k < all.size(); ++k)
@@ -93,14 +94,6 @@ void look_at_edge_pairs(LeastSupport& search, const std::vector<Points>& groups)
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) search.look_across(all[i], all[j]);
-}
-
-/// Evaluates the normals of all possible facets.
-void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
-  if (limit == ForceNorm::kL1)
-    look_at_triples(search, groups);
-  else
-    look_at_edge_pairs(search, groups);
 }
 
 void require_planar(const WrenchSet& set) {
@@ -141,9 +134,8 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
   if (found.upper < 0 || set.caps.empty()) return found;
 
   // Rank of the planar wrenches.
-  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(set.caps.size()));
-  for (Eigen::Index i = 0; i < all.cols(); ++i)
-    all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
+  const Eigen::Matrix3Xd all =
+      as_columns(set.caps, [](const WrenchCap& cap) { return in_plane(cap.c); });
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
   found.rank =
@@ -153,7 +145,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
   if (found.rank == 3) {
     const std::vector<Points> groups = grouped_points(set);
     LeastSupport search(groups, limit);
-    look_at_facets(search, groups, limit);
+    limit == ForceNorm::kL1 ? look_at_triples(search, groups) : look_at_edge_pairs(search, groups);
     const double rounding = kPlanarRounding * all.colwise().norm().maxCoeff();
     if (search.least > rounding) {
       found.lower = search.least - rounding;

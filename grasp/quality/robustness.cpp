@@ -81,7 +81,7 @@ std::vector<Contact> disturb_contacts(const std::vector<Contact>& contacts,
     drawn.push_back(draw_disturbance(sum.normalized(), uncertainty, rng));
   std::vector<Contact> result;
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    result.push_back(disturb_contact(contacts[i], drawn[static_cast<std::size_t>(region[i])]));
+    result.push_back(disturb_contact(contacts[i], drawn[region[i]]));
   return result;
 }
 

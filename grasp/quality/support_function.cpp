@@ -10,6 +10,8 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "base/lists.h"
+
 namespace thenar::internal {
 
 SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_(limit) {
@@ -98,12 +100,7 @@ WrenchCoordinates across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
 
 WrenchSpan span_of(const WrenchSet& set) {
   // All centres and semi-axes as columns; rank by singular values.
-  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
-  for (const WrenchCap& cap : set.caps) {
-    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
-    all.rightCols(1 + cap.A.cols()) << cap.c.vector(), cap.A;
-  }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(wrench_columns(set), Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
   return {static_cast<int>((sigma.array() > kWrenchRankTolerance * sigma(0)).count()),
           svd.matrixU()};
@@ -222,7 +219,7 @@ class Polish {
   }
 
   [[nodiscard]] bool has_kinks() const {
-    return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) {
+    return any_of(pieces_, [](const Piece& p) {
       return p.role != Role::kOut && !p.kink && is_kink(p, kKinkShare);
     });
   }
@@ -302,11 +299,10 @@ class Polish {
       if (piece.role == Role::kOut) continue;
       if (count_ + 4 > kMaxColumns) return false;
       // Tight pieces are constraints, counted ones part of the objective.
-      if (piece.role == Role::kTight) {
+      if (piece.role == Role::kTight)
         constrain(piece);
-      } else {
+      else
         slope_.head<6>() += slope(piece);
-      }
       // A kink holds A'u at zero.
       for (int k = 0; piece.kink && k < piece.cap->axes; ++k) {
         columns_.col(count_) << piece.cap->A.col(k), 0;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
 
 #include "base/numbers.h"
 #include "base/stop_scope.h"
-#include "grasp/quality/support_function.h"
 #include "solvers/matrix_inequality.h"
 
 namespace thenar::internal {
@@ -46,11 +44,8 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
   const bool linf = support.limit() == ForceNorm::kLinf;
   std::vector<SupportFunction::Cap> kept, first;  // `first`: the first of equal ones, unsummed
   std::vector<int> patch_size(support.caps().size(), 0);
-  for (const SupportFunction::Cap& cap : support.caps())
-    ++patch_size[static_cast<std::size_t>(cap.contact)];
-  const auto alone = [&](const SupportFunction::Cap& cap) {
-    return patch_size[static_cast<std::size_t>(cap.contact)] == 1;
-  };
+  for (const SupportFunction::Cap& cap : support.caps()) ++patch_size[cap.contact];
+  const auto alone = [&](const SupportFunction::Cap& cap) { return patch_size[cap.contact] == 1; };
   for (const SupportFunction::Cap& cap : support.caps()) {
     // Caps are interchangeable if they are equal and their limits may be joined.
     const auto same =
@@ -65,7 +60,7 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
       first.push_back(cap);
       // Two patches of one cap: their limits add up.
     } else if (linf && same->contact != cap.contact) {
-      SupportFunction::Cap& sum = kept[static_cast<std::size_t>(same - first.begin())];
+      SupportFunction::Cap& sum = kept[same - first.begin()];
       sum.c += cap.c;
       sum.A += cap.A;
     }
@@ -132,7 +127,7 @@ class Problem {
     const int least = static_cast<int>(forms_.size());  // the unknown below all eigenvalues of F
     // Matrix inequality F(y) >= least I.
     MatrixInequality F{MatrixXd::Zero(d_, d_), {}};
-    for (int k = 0; k < least; ++k) F.terms.emplace_back(k, forms_[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < least; ++k) F.terms.emplace_back(k, forms_[k]);
     F.terms.emplace_back(least, -MatrixXd::Identity(d_, d_));
     // A multiple of F proves the same: the sum of weights is kept of order 1, so that an F that is
     // not positive definite does not shrink to 0.
@@ -164,9 +159,9 @@ class Problem {
   /// Returns the smallest eigenvalue of F and of the constraints of its weights, less their
   /// rounding errors. Recomputed by eigenvalues, where the search had Cholesky factors.
   [[nodiscard]] double check(const VectorXd& y) const {
-    if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+    if (!y.allFinite()) return kNaN;
     // Constraints of the weights.
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const int k : weights_) least = min_or_nan(least, y(k));
     for (const Product& each : products_)
       least = min_or_nan(
@@ -266,7 +261,7 @@ WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubt
   for (const int k : {5, 4})
     for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
   WrenchCoordinates best = WrenchCoordinates::Unit(0);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const WrenchCoordinates& way : ways) {
     if (!(way.norm() > 0) || !way.allFinite()) continue;
     const WrenchCoordinates u = descend_support(support, way.normalized());
@@ -281,7 +276,7 @@ WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubt
 }  // namespace
 
 SupportProof prove_support(const SupportFunction& support, double r, int max_parts) {
-  SupportProof proof{false, 0, std::numeric_limits<double>::infinity(), {}};
+  SupportProof proof{false, 0, kInfinity, {}};
   // Only a few different caps can be proven.
   const std::vector<SupportFunction::Cap> caps = distinct_caps(support);
   if (caps.empty() || caps.size() > kMaxProofCaps || !(r > 0)) return proof;

@@ -18,25 +18,13 @@ constexpr double kIndependentShare = 1e-9;  // least share of the longest axis a
 /// Appends variables p with |p| <= half width, which form the last rows of the wrench.
 void add_box(ForceSet& forces, Index size, double half_width) {
   // New wrench columns: unit vectors of the last rows.
-  const Index n = forces.wrench.cols(), rows = forces.G.rows();
-  forces.wrench.conservativeResize(6, n + size);
-  forces.wrench.rightCols(size).setZero();
+  internal::append_variables(forces, size);
   forces.wrench.bottomRightCorner(size, size).setIdentity();
-  forces.A.conservativeResize(forces.A.rows(), n + size);
-  forces.A.rightCols(size).setZero();
   // Limits  p <= half width  and  -p <= half width.
-  forces.G.conservativeResize(rows + 2 * size, n + size);
-  forces.G.rightCols(size).setZero();
-  forces.G.bottomRows(2 * size).setZero();
-  // NOLINTNEXTLINE(readability-suspicious-call-argument): rows so far come first
-  forces.G.block(rows, n, size, size).setIdentity();
-  forces.G.bottomRightCorner(size, size) = -MatrixXd::Identity(size, size);
-  forces.h.conservativeResize(rows + 2 * size);
-  forces.h.tail(2 * size).setConstant(half_width);
-  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(2 * size), 1);
-  // They are no normal forces.
-  forces.normals.conservativeResize(n + size);
-  forces.normals.tail(size).setZero();
+  MatrixXd limits = MatrixXd::Zero(2 * size, forces.wrench.cols());
+  limits.topRightCorner(size, size).setIdentity();
+  limits.bottomRightCorner(size, size) = -MatrixXd::Identity(size, size);
+  internal::append_limits(forces, limits, Eigen::VectorXd::Constant(2 * size, half_width));
   forces.effort_unit.resize(0);  // efforts no longer stand last, and are not asked for
 }
 

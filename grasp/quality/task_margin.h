@@ -1,7 +1,7 @@
 #pragma once
 
-/// Task margin: the share of a task's loads that a grasp resists.
 /// Task margin: the factor by which a grasp resists the loads of a task.
+
 #include <vector>
 
 #include "grasp/quality/inscribed_ball.h"
@@ -11,25 +11,21 @@ namespace thenar {
 /// Maximum k for which the grasp resists every load of k T, T the loads of a task.
 struct [[nodiscard]] TaskMargin {
   Status status;  // of the program that failed, otherwise kSolved
-  double lower;   // status of the program that failed, otherwise kSolved
-  double upper;   // lower bound of k, within `residual` of 1 + itself [1]
-  ScaledWrench
-      worst_load;   // upper bound of k, within the same; infinite if the forces are unlimited [1]
-  double residual;  // load of T or on its boundary that is the first not to be resisted (6)
-};                  // largest of the recomputed KKT conditions of its programs [1]
+  double lower;   // lower bound of k, within `residual` of 1 + itself [1]
+  double upper;   // upper bound of k, within the same; infinite if the forces are unlimited [1]
+  ScaledWrench worst_load;  // load of T or on its boundary that is the first not to be resisted (6)
+  double residual;          // largest of the recomputed KKT conditions of its programs [1]
+};
 
-/// Margin of a list of loads T: k = min over loads of load_margin(), one program each, between the
 /// Computes the margin of a list of loads T: k = min over loads of load_margin(), one program each,
 /// between the forces found and the bound of the multipliers. As the wrenches are convex, the grasp
 /// resists k T with all loads between these and zero. Without loads k is infinite.
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads);
 
-/// Margin of a box of loads, at most 64 corners: that of the list of its corners.
 /// Computes the margin of a box of loads as that of the list of its corners, at most 64.
 TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
                          const ScaledWrench& upper);
 
-/// Margin of an ellipsoid of loads about zero, { Q y : |y| <= 1 }. With six axes k is the radius of
 /// Computes the margin of an ellipsoid of loads about zero, { Q y : |y| <= 1 }. With six axes k is
 /// the radius of the inscribed ball of Q^-1 W. With fewer it is that of the slice of W along Q,
 /// computed in the product of the slice with a wider box, which does not change the result.

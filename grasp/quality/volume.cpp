@@ -55,14 +55,11 @@ Rounded rounded(const WrenchSet& set, ForceNorm limit) {
   if (limit == ForceNorm::kL1)
     for (const WrenchCap& cap : set.caps)
       middle += cap.c.vector() / static_cast<double>(set.caps.size());
-  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
-  const auto append = [&](const Eigen::MatrixXd& columns) {
-    all.conservativeResize(6, all.cols() + columns.cols());
-    all.rightCols(columns.cols()) = columns;
-  };
+  Eigen::Matrix<double, 6, Eigen::Dynamic> all = wrench_columns(set);
+  Eigen::Index column = 0;
   for (const WrenchCap& cap : set.caps) {
-    append(cap.c.vector() - middle);
-    append(cap.A);
+    all.col(column) -= middle;
+    column += 1 + cap.A.cols();
   }
   // Principal widths of all points.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeThinU);

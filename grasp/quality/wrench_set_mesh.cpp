@@ -60,16 +60,16 @@ Eigen::MatrixXd picture_rows(const std::array<int, 3>& coordinates, PictureKind 
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kind == PictureKind::kSlice ? 6 : 3, 6);
   std::array<bool, 6> seen{};
   for (int i = 0; i < 3; ++i) {
-    const int coordinate = coordinates[static_cast<std::size_t>(i)];
-    require(coordinate >= 0 && coordinate < 6 && !seen[static_cast<std::size_t>(coordinate)],
+    const int coordinate = coordinates[i];
+    require(coordinate >= 0 && coordinate < 6 && !seen[coordinate],
             "wanted three different coordinates of 0..5, got {}, {}, {}", coordinates[0],
             coordinates[1], coordinates[2]);
-    seen[static_cast<std::size_t>(coordinate)] = true;
+    seen[coordinate] = true;
     rows(i, coordinate) = 1;
   }
   // A slice holds the other coordinates at zero.
   for (int coordinate = 0, row = 3; kind == PictureKind::kSlice && coordinate < 6; ++coordinate)
-    if (!seen[static_cast<std::size_t>(coordinate)]) rows(row++, coordinate) = 1;
+    if (!seen[coordinate]) rows(row++, coordinate) = 1;
   return rows;
 }
 
@@ -82,7 +82,7 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
   const Octahedron octahedron(pieces);
   const Sphere& sphere = octahedron.sphere();
   WrenchSetMesh picture;
-  picture.mesh.vertices.resize(3, static_cast<Eigen::Index>(sphere.places.size()));
+  picture.mesh.vertices.resize(3, sphere.places.size());
   // Boundary point of the set along each direction.
   for (std::size_t i = 0; i < sphere.places.size(); ++i) {
     const auto [x, y, z] = sphere.places[i];
@@ -92,12 +92,9 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
         support_along(forces, rows, Eigen::VectorXd::Zero(rows.rows()), way);
     const bool found = reach.status == Status::kSolved;
     picture.failed += found ? 0 : 1;
-    picture.mesh.vertices.col(static_cast<Eigen::Index>(i)) =
-        (found ? reach.value : 0.0) * way.head<3>();
+    picture.mesh.vertices.col(i) = (found ? reach.value : 0.0) * way.head<3>();
   }
-  picture.mesh.triangles.resize(3, static_cast<Eigen::Index>(sphere.triangles.size()));
-  for (std::size_t i = 0; i < sphere.triangles.size(); ++i)
-    picture.mesh.triangles.col(static_cast<Eigen::Index>(i)) = sphere.triangles[i];
+  picture.mesh.triangles = as_columns(sphere.triangles);
   return picture;
 }
 

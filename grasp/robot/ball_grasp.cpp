@@ -6,9 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/closing/closing_drives.h"
+#include "grasp/closing/fingertip_paths.h"
 
 namespace thenar {
 namespace {
@@ -60,7 +62,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = corner(t, 0);
     area[static_cast<std::size_t>(t) + 1] =
-        area[static_cast<std::size_t>(t)] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
+        area[t] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
   }
   if (!(area.back() > 0)) return mesh.vertices;
   // Equal steps of area select the triangle, low-discrepancy numbers the point in it.
@@ -95,10 +97,7 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
     const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
     at->second += area;
   }
-  Matrix3Xd faces(3, static_cast<Eigen::Index>(sums.size()));
-  Eigen::Index i = 0;
-  for (const auto& [cell, sum] : sums) faces.col(i++) = sum;
-  return faces;
+  return as_columns(sums, [](const auto& each) { return each.second; });
 }
 
 /// Points and faces of all shapes of a link, in its frame.
@@ -124,13 +123,9 @@ LinkSamples samples_of(const RobotLink& link) {
   return {join_columns(points), join_columns(faces)};
 }
 
-Vector3d to_hand_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
-  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)] * p);
-}
-
 /// Transforms a point to the frame in which the points of a link's surfaces are stored.
 Vector3d to_link_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
-  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)].inverse() * p);
+  return link < 0 ? p : Vector3d(links[link].inverse() * p);
 }
 
 /// Finds the point of a surface nearest to p, and its distance, if it is within `reach`.
@@ -198,10 +193,8 @@ double BallGrasp::sphere_cast(const std::vector<Pose<double>>& links, const Vect
   for (const SampledSurface& surface : surfaces_) {
     // The ray in the frame of the surface's points.
     const Vector3d o = to_link_frame(links, surface.link, origin),
-                   d = surface.link < 0
-                           ? direction
-                           : Vector3d(links[static_cast<std::size_t>(surface.link)].R.transpose() *
-                                      direction);
+                   d = surface.link < 0 ? direction
+                                        : Vector3d(links[surface.link].R.transpose() * direction);
     // Surfaces whose bounding ball is off the ray cannot touch the ball.
     const Vector3d to_centre = surface.centre - o;
     if ((to_centre - to_centre.dot(d) * d).norm() > radius + surface.radius) continue;
@@ -221,7 +214,7 @@ bool BallGrasp::are_adjacent(const SampledSurface& a, const SampledSurface& b) c
   if (a.digit == b.digit) return true;
   const auto& parents = hand_.layout().parents;
   const auto next_to = [&](int inner, int outer) {
-    return outer >= 0 && (parents[static_cast<std::size_t>(outer)] == inner || inner == outer);
+    return outer >= 0 && (parents[outer] == inner || inner == outer);
   };
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }
@@ -229,11 +222,10 @@ bool BallGrasp::are_adjacent(const SampledSurface& a, const SampledSurface& b) c
 /// Returns whether points of two links come within the spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
                         const std::vector<Pose<double>>& links) {
-  const Vector3d ca = to_hand_frame(links, a.link, a.centre),
-                 cb = to_hand_frame(links, b.link, b.centre);
+  const Vector3d ca = moved_with(links, a.link, a.centre), cb = moved_with(links, b.link, b.centre);
   if ((ca - cb).norm() > a.radius + b.radius + kSelfTouchDistance) return false;
   for (Eigen::Index i = 0; i < a.p.cols(); ++i) {
-    const Vector3d p = to_link_frame(links, b.link, to_hand_frame(links, a.link, a.p.col(i)));
+    const Vector3d p = to_link_frame(links, b.link, moved_with(links, a.link, a.p.col(i)));
     if (nearest_sample(b, p, kSelfTouchDistance).second < kSelfTouchDistance) return true;
   }
   return false;
@@ -284,7 +276,7 @@ class BallGrasp::Closing {
     const std::vector<SampledSurface>& surfaces = grasp_.surfaces_;
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t a = 0; a < surfaces.size(); ++a) {
-      if (std::find(digits.begin(), digits.end(), surfaces[a].digit) == digits.end()) continue;
+      if (!contains(digits, surfaces[a].digit)) continue;
       for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::size_t pair = a * surfaces.size() + b;
         if (grasp_.are_adjacent(surfaces[a], surfaces[b]) || collided_[pair] ||
@@ -301,8 +293,7 @@ class BallGrasp::Closing {
   void stop_between(std::size_t one, std::size_t other) {
     const std::vector<int>& both = grasp_.surfaces_[other].moved_by;
     for (const int moved : grasp_.surfaces_[one].moved_by)
-      if (std::find(both.begin(), both.end(), moved) == both.end())
-        drives_.stop(moved, StoppedBy::kContact);
+      if (!contains(both, moved)) drives_.stop(moved, StoppedBy::kContact);
   }
 
   [[nodiscard]] const std::vector<Pose<double>>& links() const { return links_; }
@@ -327,7 +318,7 @@ std::vector<BallContact> BallGrasp::contacts(const std::vector<Pose<double>>& li
     const Vector3d c = to_link_frame(links, surface.link, ball.centre);
     const auto [index, distance] = nearest_sample(surface, c, ball.radius + 2 * kTouchDistance);
     if (index < 0 || distance > ball.radius + 2 * kTouchDistance) continue;
-    const Vector3d normal = ball.centre - to_hand_frame(links, surface.link, surface.p.col(index));
+    const Vector3d normal = ball.centre - moved_with(links, surface.link, surface.p.col(index));
     contacts.push_back({static_cast<int>(s), normal.normalized()});
   }
   return contacts;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -91,13 +93,12 @@ std::vector<SenseOption> closing_options(
   for (int g = 0; g < count; ++g)
     evidence.push_back(evidence_of(g, layout, rest, groups, separation));
   // Stated speeds keep their magnitudes.
-  const bool has_speeds = std::any_of(drives.begin(), drives.end(),
-                                      [](const Drive& drive) { return drive.speed != 0; });
+  const bool has_speeds = any_of(drives, [](const Drive& drive) { return drive.speed != 0; });
   // Each distinct candidate, with the evidence against it as its penalty.
   std::vector<SenseOption> options;
   std::vector<std::vector<double>> seen;
   for (const std::vector<double>& senses : candidate_senses(evidence)) {
-    if (std::find(seen.begin(), seen.end(), senses) != seen.end()) continue;
+    if (contains(seen, senses)) continue;
     seen.push_back(senses);
     SenseOption option;
     for (std::size_t g = 0; g < senses.size(); ++g) {
@@ -111,8 +112,7 @@ std::vector<SenseOption> closing_options(
     for (std::size_t d = 0; d < drives.size(); ++d)
       option.speed.push_back(groups.group[d] < 0
                                  ? 0
-                                 : groups.orientation[d] *
-                                       senses[static_cast<std::size_t>(groups.group[d])] *
+                                 : groups.orientation[d] * senses[groups.group[d]] *
                                        (has_speeds ? std::abs(drives[d].speed) : 1));
     options.push_back(std::move(option));
   }

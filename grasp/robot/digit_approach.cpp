@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/robot/approach_direction.h"
 #include "grasp/robot/digit_motion.h"
@@ -46,31 +47,23 @@ Matrix3Xd DigitMotion::closing_axes(const HandDigit& digit, std::size_t option,
   std::vector<bool> closing(hand.layout().coordinates.size(), false);
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
-      if (options_[option].speed[d] != 0)
-        closing[static_cast<std::size_t>(driven.coordinate)] = true;
+      if (options_[option].speed[d] != 0) closing[driven.coordinate] = true;
   // Axes of their hinges, from the tip inwards.
   std::vector<Matrix3Xd> axes;
-  for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
-       link = hand.layout().parents[static_cast<std::size_t>(link)])
-    if (!hand.is_prismatic(link) && closing[static_cast<std::size_t>(hand.coordinate_of(link))])
+  for (const int link : digits_.links_of(digit))
+    if (!hand.is_prismatic(link) && closing[hand.coordinate_of(link)])
       axes.emplace_back(hand.axis(q, link));
   return join_columns(axes);
 }
 
 /// Returns whether a digit closes by translation alone.
 bool DigitMotion::slides_only(const HandDigit& digit, std::size_t option) const {
+  const auto only_translates = [&](int drive) {
+    return digits_.tip_rotation(drive, digit).norm() < kNoMotionOfDrive;
+  };
   const auto is_slide = [&](int link) { return digits_.grip().hand().is_prismatic(link); };
-  bool any_hinge = false;
-  for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
-       link = digits_.grip().hand().layout().parents[static_cast<std::size_t>(link)])
-    any_hinge = any_hinge || !is_slide(link);
-  return !curl_motion(digit, option).isZero(0) &&
-         std::all_of(digit.curls.begin(), digit.curls.end(),
-                     [&](int d) {
-                       return digits_.tip_rotation(static_cast<std::size_t>(d), digit).norm() <
-                              kNoMotionOfDrive;
-                     }) &&
-         !any_hinge;
+  return !curl_motion(digit, option).isZero(0) && all_of(digit.curls, only_translates) &&
+         all_of(digits_.links_of(digit), is_slide);
 }
 
 /// Returns the approach direction near a rough one: perpendicular to the axes about which digits

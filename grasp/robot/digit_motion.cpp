@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "grasp/robot/posed_surfaces.h"
 
@@ -51,11 +52,9 @@ std::vector<Drive> DigitMotion::drives(std::size_t option) const {
 Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) const {
   Vector3d sum = Vector3d::Zero();
   for (const int d : digit.curls) {
-    const double speed = options_[option].speed[static_cast<std::size_t>(d)];
-    sum += (speed > 0   ? 1
-            : speed < 0 ? -1
-                        : 0) *
-           digits_.tip_translation(static_cast<std::size_t>(d), digit);
+    const double speed = options_[option].speed[d];
+    const int sense = speed > 0 ? 1 : speed < 0 ? -1 : 0;
+    sum += sense * digits_.tip_translation(d, digit);
   }
   return sum.norm() > kNoTipMotion ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
@@ -64,8 +63,7 @@ Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) co
 double DigitMotion::turn_range(const HandDigit& digit) const {
   double largest = 0;
   for (const int d : digit.turns)
-    if (!digits_.spreads(static_cast<std::size_t>(d), digit))
-      largest = std::max(largest, digits_.range(static_cast<std::size_t>(d)));
+    if (!digits_.spreads(d, digit)) largest = std::max(largest, digits_.range(d));
   return largest;
 }
 
@@ -99,10 +97,10 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   const std::size_t count = digits_.digits().size();
   roles.opposed.assign(count, false);
   // Fingers move in the same direction, and do not turn far.
-  std::vector<double> turns;
-  for (const HandDigit& digit : digits_.digits()) turns.push_back(turn_range(digit));
-  std::vector<Vector3d> motions;
-  for (const HandDigit& digit : digits_.digits()) motions.push_back(curl_motion(digit, option));
+  const std::vector<double> turns =
+      transformed(digits_.digits(), [&](const auto& digit) { return turn_range(digit); });
+  const std::vector<Vector3d> motions =
+      transformed(digits_.digits(), [&](const auto& digit) { return curl_motion(digit, option); });
   std::vector<std::size_t> fingers = find_fingers(motions, turns);
   if (fingers.size() < 2) {
     // A thumb and one finger: the digit that turns farther is opposed.
@@ -145,7 +143,6 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
 /// @param farthest  maximum opening from rest of rotating drives [rad]
 VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& others,
                                          double farthest) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd open = others;
   for (std::size_t d = 0; d < digits_.drives().size(); ++d) {
     const double back = digits_.rotates_digits(d) ? farthest : kInfinity;
@@ -154,7 +151,7 @@ VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& oth
       if (rate == 0) continue;
       // Open to the limit, but not farther than allowed.
       const Eigen::Index c = driven.coordinate;
-      const double lower = layout.lower[c], upper = layout.upper[c];
+      const double lower = layout().lower[c], upper = layout().upper[c];
       open[c] = rate > 0 ? lower : upper;
       if (std::min(std::abs(lower - digits_.rest()[c]), std::abs(upper - digits_.rest()[c])) > back)
         open[c] = digits_.rest()[c] - std::copysign(back, rate);
@@ -165,8 +162,7 @@ VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& oth
 
 /// Returns whether every digit has at most one drive that curls it, like a jaw.
 bool DigitMotion::are_jaws() const {
-  return std::all_of(digits_.digits().begin(), digits_.digits().end(),
-                     [](const HandDigit& digit) { return digit.curls.size() <= 1; });
+  return all_of(digits_.digits(), [](const HandDigit& each) { return each.curls.size() <= 1; });
 }
 
 /// Returns the motors with the largest ranges that turn opposed digits, at most kMaxOpposingMotors.
@@ -174,9 +170,9 @@ std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) c
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.digits().size(); ++i)
     for (const int d : digits_.digits()[i].turns)
-      if (roles.opposed[i] && !digits_.spreads(static_cast<std::size_t>(d), digits_.digits()[i]) &&
-          std::find(motors.begin(), motors.end(), static_cast<std::size_t>(d)) == motors.end())
-        motors.push_back(static_cast<std::size_t>(d));
+      if (roles.opposed[i] && !digits_.spreads(d, digits_.digits()[i]) &&
+          !contains(motors, static_cast<std::size_t>(d)))
+        motors.push_back(d);
   std::stable_sort(motors.begin(), motors.end(), [&](std::size_t a, std::size_t b) {
     return digits_.range(a) > digits_.range(b);
   });
@@ -187,15 +183,13 @@ std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) c
 /// Returns postures with a motor at several positions, from one end of its range to the other.
 std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::size_t motor,
                                                    int positions) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   std::vector<VectorXd> postures(static_cast<std::size_t>(positions), before);
   for (int i = 0; i < positions; ++i)
     for (const DrivenCoordinate& driven : digits_.drives()[motor].moves) {
       const Eigen::Index c = driven.coordinate;
       const double share = static_cast<double>(i) / (positions - 1);
-      postures[static_cast<std::size_t>(i)][c] =
-          layout.lower[c] +
-          (driven.ratio < 0 ? 1 - share : share) * (layout.upper[c] - layout.lower[c]);
+      postures[i][c] = layout().lower[c] + (driven.ratio < 0 ? 1 - share : share) *
+                                               (layout().upper[c] - layout().lower[c]);
     }
   return postures;
 }
@@ -218,11 +212,8 @@ std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const Di
   const std::vector<std::size_t> motors = opposing_motors(roles);
   for (const std::size_t motor : motors) {
     std::vector<VectorXd> next = postures;  // with the motor at rest
-    for (const VectorXd& before : postures) {
-      const std::vector<VectorXd> all =
-          motor_positions(before, motor, position_count(motors.size()));
-      next.insert(next.end(), all.begin(), all.end());
-    }
+    for (const VectorXd& before : postures)
+      append_all(next, motor_positions(before, motor, position_count(motors.size())));
     postures = std::move(next);
   }
   return postures;
@@ -231,14 +222,13 @@ std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const Di
 /// Returns the posture with outer joints as far open as possible. Otherwise the ends of digits that
 /// curl towards each other meet before their middle links hold anything.
 VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   for (const HandDigit& digit : digits_.digits())
     for (std::size_t i = 1; i < digit.curls.size(); ++i) {
       const auto d = static_cast<std::size_t>(digit.curls[i]);
       for (const DrivenCoordinate& driven : digits_.drives()[d].moves) {
         const double rate = options_[option].speed[d] * driven.ratio;
         if (rate != 0)
-          open[driven.coordinate] = (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+          open[driven.coordinate] = (rate > 0 ? layout().lower : layout().upper)[driven.coordinate];
       }
     }
   return open;
@@ -246,25 +236,23 @@ VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) 
 
 /// Returns the posture with driven coordinates in the middle of their ranges, the others at rest.
 VectorXd DigitMotion::half_closed_posture(std::size_t option) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       if (options_[option].speed[d] != 0)
         q[driven.coordinate] =
-            (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
+            (layout().lower[driven.coordinate] + layout().upper[driven.coordinate]) / 2;
   return q;
 }
 
 /// Returns the posture with driven coordinates at the limit to which they close, the others at
 /// rest.
 VectorXd DigitMotion::closed_posture(std::size_t option) const {
-  const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       if (const double rate = options_[option].speed[d] * driven.ratio; rate != 0)
-        q[driven.coordinate] = (rate > 0 ? layout.upper : layout.lower)[driven.coordinate];
+        q[driven.coordinate] = (rate > 0 ? layout().upper : layout().lower)[driven.coordinate];
   return q;
 }
 

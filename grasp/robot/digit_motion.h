@@ -69,6 +69,7 @@ class DigitMotion {
  private:
   struct JawPath;
 
+  [[nodiscard]] const HandLayout& layout() const { return digits_.grip().hand().layout(); }
   [[nodiscard]] Eigen::Vector3d last_tip_motion(std::size_t option, const Eigen::VectorXd& q) const;
   [[nodiscard]] std::optional<JawPath> jaw_path(std::size_t option, const Eigen::VectorXd& q) const;
   [[nodiscard]] Eigen::VectorXd posture_at_opening(std::size_t option,

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "grasp/robot/hand_digits.h"
 
 namespace thenar {
@@ -34,8 +35,7 @@ std::vector<int> HandDigits::hinges_of(const HandDigit& digit) const {
   const RobotHand& hand = grip_.hand();
   const Vector3d last = last_axis(digit);
   std::vector<int> hinges;
-  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
-       link = hand.layout().parents[static_cast<std::size_t>(link)])
+  for (const int link : links_of(digit))
     if (std::abs(hand.axis(rest_, link).dot(last)) > kMinParallelCosine) hinges.push_back(link);
   std::reverse(hinges.begin(), hinges.end());
   return hinges;
@@ -46,9 +46,7 @@ std::vector<int> HandDigits::hinges_of(const HandDigit& digit) const {
 void HandDigits::straighten() {
   const RobotHand& hand = grip_.hand();
   const std::vector<Pose<double>> links = hand.pose(rest_);
-  const auto point = [&](int link) -> Vector3d {
-    return links[static_cast<std::size_t>(link)] * hand.axis_point(link);
-  };
+  const auto point = [&](int link) -> Vector3d { return links[link] * hand.axis_point(link); };
   // Rotation of each coordinate that straightens its joint.
   std::vector<std::pair<int, double>> turns;  // coordinate, angle [rad]
   for (const HandDigit& digit : digits_) {
@@ -63,7 +61,7 @@ void HandDigits::straighten() {
       mean += std::copysign(1.0, axis.dot(last)) * bend / static_cast<double>(hinges.size() - 1);
       // Joints of one motor share a coordinate: the innermost one decides.
       const int coordinate = hand.coordinate_of(hinges[k]);
-      if (std::none_of(hinges.begin(), hinges.begin() + static_cast<std::ptrdiff_t>(k),
+      if (std::none_of(hinges.begin(), hinges.begin() + k,
                        [&](int inner) { return hand.coordinate_of(inner) == coordinate; }))
         turns.emplace_back(coordinate, -bend);
     }
@@ -80,9 +78,8 @@ void HandDigits::turn_in_range(int coordinate, double angle) {
   const HandLayout& layout = grip_.hand().layout();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     const DrivenCoordinate& first = drives_[d].moves.front();
-    const bool curls = std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& digit) {
-      return std::find(digit.curls.begin(), digit.curls.end(), static_cast<int>(d)) !=
-             digit.curls.end();
+    const bool curls = any_of(digits_, [&](const HandDigit& digit) {
+      return contains(digit.curls, static_cast<int>(d));
     });
     if (first.coordinate != coordinate || !curls) continue;
     const double before = rest_[coordinate];
@@ -103,8 +100,7 @@ void HandDigits::join_rows() {
   for (const HandDigit& digit : digits_) {
     Vector3d sum = Vector3d::Zero();
     for (const int d : digit.curls)
-      sum += groups_.orientation[static_cast<std::size_t>(d)] *
-             tip_translation(static_cast<std::size_t>(d), digit);
+      sum += groups_.orientation[d] * tip_translation(static_cast<std::size_t>(d), digit);
     motions.push_back(sum.normalized());
   }
   // Fingers are adjacent if they move along one line, across the line between their parallel roots.
@@ -137,7 +133,7 @@ void HandDigits::join_rows() {
 }
 
 int HandDigits::group_of(const HandDigit& digit) const {
-  return groups_.group[static_cast<std::size_t>(digit.curls.front())];
+  return groups_.group[digit.curls.front()];
 }
 
 /// Merges two groups; `reversed` reverses the drives of the first one.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "base/lists.h"
+#include "grasp/closing/fingertip_paths.h"
 #include "grasp/robot/posed_surfaces.h"
 
 namespace thenar {
@@ -45,9 +46,8 @@ void HandDigits::find_digits() {
     depth.push_back(joints_to(grip_.hand().layout(), surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].digit.empty()) continue;
-    auto digit = std::find_if(digits_.begin(), digits_.end(),
-                              [&](const HandDigit& d) { return d.name == surfaces[s].digit; });
-    if (digit == digits_.end()) {
+    HandDigit* digit = find_named(digits_, surfaces[s].digit);
+    if (digit == nullptr) {
       digits_.push_back({surfaces[s].digit, s, s, {}, {}, {}, {}});
       names_.push_back(surfaces[s].digit);
       continue;
@@ -56,10 +56,8 @@ void HandDigits::find_digits() {
     if (depth[s] >= depth[digit->last]) digit->last = s;
   }
   // Centre of a surface at rest.
-  const auto centre = [&](std::size_t s) -> Vector3d {
-    const SampledSurface& surface = surfaces[s];
-    return surface.link < 0 ? surface.centre
-                            : links[static_cast<std::size_t>(surface.link)] * surface.centre;
+  const auto centre = [&](std::size_t s) {
+    return moved_with(links, surfaces[s].link, surfaces[s].centre);
   };
   for (HandDigit& digit : digits_) {
     // The root is the hinge of the digit's first link, or the link itself for a slide.
@@ -67,7 +65,7 @@ void HandDigits::find_digits() {
     digit.root = centre(digit.first);
     const int link = surfaces[digit.first].link;
     if (link >= 0 && !grip_.hand().is_prismatic(link))
-      digit.root = links[static_cast<std::size_t>(link)] * grip_.hand().axis_point(link);
+      digit.root = links[link] * grip_.hand().axis_point(link);
   }
 }
 
@@ -89,6 +87,14 @@ Vector3d HandDigits::tip_translation(std::size_t drive, const HandDigit& digit) 
   return twist(drive, digit).tail<3>();
 }
 
+std::vector<int> HandDigits::links_of(const HandDigit& digit) const {
+  std::vector<int> links;
+  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
+       link = grip_.hand().layout().parents[link])
+    links.push_back(link);
+  return links;
+}
+
 /// Returns whether a drive moves every tip, and none relative to another, like a wrist.
 bool HandDigits::moves_alike(std::size_t drive) const {
   for (const HandDigit& digit : digits_)
@@ -107,11 +113,9 @@ bool HandDigits::moves_alike(std::size_t drive) const {
 
 /// Returns the axis of the outermost rotating joint of a digit; zero: there is none. (3)
 Vector3d HandDigits::last_axis(const HandDigit& digit) const {
-  Vector3d last = Vector3d::Zero();
-  for (int link = grip_.surfaces()[digit.last].link; link >= 0 && last.isZero(0);
-       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
-    last = grip_.hand().axis(rest_, link);
-  return last;
+  for (const int link : links_of(digit))
+    if (!grip_.hand().is_prismatic(link)) return grip_.hand().axis(rest_, link);
+  return Vector3d::Zero();
 }
 
 /// Assigns each drive to the digits that it moves, as a curling or as a turning drive.
@@ -155,9 +159,9 @@ void HandDigits::orient_drives() {
   groups_.group.assign(drives_.size(), -1);
   // Drives without any rotation.
   for (std::size_t d = 0; d < drives_.size(); ++d)
-    groups_.slides.push_back(std::all_of(
-        digits_.begin(), digits_.end(),
-        [&](const HandDigit& digit) { return tip_rotation(d, digit).norm() < kNoMotion; }));
+    groups_.slides.push_back(all_of(digits_, [&](const HandDigit& digit) {
+      return tip_rotation(d, digit).norm() < kNoMotion;
+    }));
   int groups = 0;
   for (const HandDigit& digit : digits_) {
     if (digit.curls.empty()) continue;
@@ -219,8 +223,7 @@ double HandDigits::tip_separation(const VectorXd& q) const {
   std::vector<Vector3d> tips;
   for (const HandDigit& digit : digits_) {
     const SampledSurface& tip = grip_.surfaces()[digit.last];
-    tips.push_back(tip.link < 0 ? tip.centre
-                                : links[static_cast<std::size_t>(tip.link)] * tip.centre);
+    tips.push_back(moved_with(links, tip.link, tip.centre));
   }
   double sum = 0;
   for (std::size_t a = 0; a < tips.size(); ++a)
@@ -239,14 +242,14 @@ double HandDigits::mean_digit_length() const {
 }
 
 bool HandDigits::rotates_digits(std::size_t drive) const {
-  return std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& digit) {
+  return any_of(digits_, [&](const HandDigit& digit) {
     return tip_rotation(drive, digit).norm() > kNoMotion;
   });
 }
 
 bool HandDigits::spreads(std::size_t drive, const HandDigit& digit) const {
   const double own = tip_translation(drive, digit).norm();
-  return std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& other) {
+  return any_of(digits_, [&](const HandDigit& other) {
     return &other != &digit && tip_translation(drive, other).norm() > kMinSpreadRatio * own;
   });
 }

@@ -42,6 +42,8 @@ class HandDigits {
   [[nodiscard]] Eigen::Vector3d tip_rotation(std::size_t drive, const HandDigit& digit) const;
   /// Computes the translation of a digit's tip per unit of a drive, at rest [m] (3).
   [[nodiscard]] Eigen::Vector3d tip_translation(std::size_t drive, const HandDigit& digit) const;
+  /// Returns the moving links of a digit and of what carries it, from the tip inwards.
+  [[nodiscard]] std::vector<int> links_of(const HandDigit& digit) const;
   /// Returns the range of a drive [rad] or [m].
   [[nodiscard]] double range(std::size_t drive) const;
   /// Returns whether a drive rotates any digit, rather than only translating it.

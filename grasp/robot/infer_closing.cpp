@@ -180,8 +180,7 @@ class ClosingSearch {
     const Eigen::Index others = roles.palm ? count : count + 1;  // last: contacts of no digit
     Eigen::MatrixXd opposition = Eigen::MatrixXd::Zero(count, others);
     const auto digit_of = [&](const BallContact& contact) {
-      return std::find(digits.begin(), digits.end(),
-                       grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit) -
+      return std::find(digits.begin(), digits.end(), grip_.surfaces()[contact.surface].digit) -
              digits.begin();
     };
     // Best opposition of normals for each pair of digits.
@@ -198,9 +197,7 @@ class ClosingSearch {
     double best = 0;
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j < count; ++j)
-        if (roles.opposed[static_cast<std::size_t>(i)] &&
-            !roles.opposed[static_cast<std::size_t>(j)])
-          best = std::max(best, opposition(i, j));
+        if (roles.opposed[i] && !roles.opposed[j]) best = std::max(best, opposition(i, j));
     return sum + best;
   }
 
@@ -245,7 +242,7 @@ class ClosingSearch {
     if (place_ball(best, links, ball)) {
       for (const BallContact& contact :
            grip_.close(drives, best.open, ball, kFineSteps, stopping_digits(roles)))
-        touching.insert(grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
+        touching.insert(grip_.surfaces()[contact.surface].digit);
       if (!known_.approach && roles.palm)
         guess.robot.approach.point = ball.centre - ball.radius * best.direction;
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/words.h"
 #include "grasp/robot/infer_closing.h"
 #include "grasp/robot/pinned_bars.h"
@@ -25,8 +25,7 @@ constexpr const char* kSoftWords[] = {"silicone", "rubber", "elastomer"};
 /// Names the opposed digit "thumb", unless the file names its digits.
 void name_thumb(InferredClosing& guess) {
   const auto called = [&](const std::string& name) {
-    return std::any_of(guess.robot.links.begin(), guess.robot.links.end(),
-                       [&](const RobotLink& link) { return link.digit == name; });
+    return any_of(guess.robot.links, [&](const RobotLink& link) { return link.digit == name; });
   };
   const std::string thumb = guess.thumb;
   if (thumb.rfind("finger ", 0) != 0 || called("thumb")) return;
@@ -118,8 +117,7 @@ std::string lower_case(std::string text) {
 /// Returns whether the name of a link indicates a soft pad.
 bool is_named_soft(const std::string& link) {
   const std::string name = lower_case(link);
-  return std::any_of(std::begin(kSoftWords), std::end(kSoftWords),
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
+  return any_of(kSoftWords, [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
 }  // namespace
@@ -206,7 +204,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kFingers{
 
 bool names_finger(const std::string& link, const std::vector<std::string>& words) {
   const std::size_t side = link.find_last_of("_:/");
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+  return any_of(words, [&](const std::string& word) {
     if (word[0] != '^') return link.find(word) != std::string::npos;
     const std::string beginning = word.substr(1);
     return link.rfind(beginning, 0) == 0 ||

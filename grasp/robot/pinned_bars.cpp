@@ -1,12 +1,12 @@
 #include "grasp/robot/pinned_bars.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "base/lists.h"
 #include "data/io/robot/link_poses.h"
 #include "geometry/solid.h"
 
@@ -47,8 +47,7 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
                upper = std::isfinite(dof.upper) ? dof.upper : kAssumedRange;
   Instants all;
   for (int k = 0; k < 3; ++k)
-    all[static_cast<std::size_t>(k)] =
-        link_poses(robot, {{dof.name, lower + 0.5 * k * (upper - lower)}});
+    all[k] = link_poses(robot, {{dof.name, lower + 0.5 * k * (upper - lower)}});
   return all;
 }
 
@@ -108,7 +107,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pinned_bars(const RobotSpec& ro
       return body.joint != nullptr && body.branches == 0 && body.joint->dof == dof.name &&
              body.joint->kind == RobotJointKind::kRevolute;
     };
-    if (std::none_of(list.begin(), list.end(), is_bar)) continue;
+    if (!any_of(list, is_bar)) continue;
     // Fingers to which they are pinned.
     const Instants instants = instants_of(robot, dof);
     for (std::size_t bar = 1; bar < list.size(); ++bar) {

@@ -1,5 +1,7 @@
 #include "grasp/robot/posed_surfaces.h"
 
+#include "grasp/closing/fingertip_paths.h"
+
 namespace thenar {
 
 std::vector<std::size_t> palm_surfaces(const BallGrasp& grip) {
@@ -22,8 +24,7 @@ Eigen::Matrix3Xd points_of(const BallGrasp& grip, const std::vector<std::size_t>
   std::vector<Eigen::Matrix3Xd> parts;
   for (const std::size_t surface : surfaces) {
     const SampledSurface& points = grip.surfaces()[surface];
-    const Pose<double> X =
-        points.link < 0 ? Pose<double>{} : links[static_cast<std::size_t>(points.link)];
+    const Pose<double> X = points.link < 0 ? Pose<double>{} : links[points.link];
     parts.emplace_back((X.R * points.p).colwise() + X.p);
   }
   return join_columns(parts);
@@ -35,8 +36,7 @@ Eigen::Matrix3Xd faces_of(const BallGrasp& grip, const std::vector<std::size_t>&
   for (const std::size_t s : surfaces) {
     const SampledSurface& surface = grip.surfaces()[s];
     faces.push_back(surface.faces);
-    if (surface.link >= 0)
-      faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
+    if (surface.link >= 0) faces.back() = links[surface.link].R * surface.faces;
   }
   return join_columns(faces);
 }
@@ -46,13 +46,8 @@ Eigen::AlignedBox3d box_of(const BallGrasp& grip, const std::vector<std::size_t>
   Eigen::AlignedBox3d box;
   for (const std::size_t s : surfaces) {
     const SampledSurface& surface = grip.surfaces()[s];
-    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
-      const Eigen::Vector3d p = surface.p.col(i);
-      box.extend(R.transpose() *
-                 (surface.link < 0
-                      ? p
-                      : Eigen::Vector3d(links[static_cast<std::size_t>(surface.link)] * p)));
-    }
+    for (const auto& p : surface.p.colwise())
+      box.extend(R.transpose() * moved_with(links, surface.link, p));
   }
   return box;
 }

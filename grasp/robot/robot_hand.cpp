@@ -1,11 +1,11 @@
 #include "grasp/robot/robot_hand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/parallel_for.h"
 #include "data/io/robot/link_poses.h"
@@ -20,12 +20,6 @@ using Eigen::Vector3d;
 
 // Overlap of limits that counts as rounding: printed numbers have nine decimals [rad] or [m]
 constexpr double kLimitRounding = 1e-8;
-
-int index_of_dof(const RobotSpec& robot, const std::string& name) {
-  for (std::size_t i = 0; i < robot.dofs.size(); ++i)
-    if (robot.dofs[i].name == name) return static_cast<int>(i);
-  return -1;
-}
 
 /// An interval that limits make narrower.
 struct AngleInterval {
@@ -70,7 +64,7 @@ RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs
   // Tips belong to the links of the Hand that carry them.
   for (const RobotTip& tip : find_tips(robot, reference_)) {
     layout_.tips.push_back(tip.digit);
-    layout_.tip_points.push_back({tip.digit, mover_of_[static_cast<std::size_t>(tip.link)], tip.p});
+    layout_.tip_points.push_back({tip.digit, mover_of_[tip.link], tip.p});
   }
   layout_.approach = {robot.approach.point, robot.approach.direction};
 }
@@ -95,7 +89,7 @@ void RobotHand::add_movers(const RobotSpec& robot) {
     if (!moves) continue;
     mover_of_[child] = static_cast<int>(movers_.size());
     layout_.parents.push_back(mover_of_[parent]);
-    movers_.push_back({mover_of_[parent], 0, index_of_dof(robot, joint.dof),
+    movers_.push_back({mover_of_[parent], 0, place_named(robot.dofs, joint.dof),
                        joint.kind == RobotJointKind::kPrismatic, false, 1, joint.ratio,
                        (X.R * joint.axis).normalized(), X.p, joint.stiffness,
                        joint.rest - joint.offset, joint.curve});
@@ -110,19 +104,18 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
     if (joint.kind == RobotJointKind::kFixed) continue;
     Mover& mover = movers_[next++];
     // Rigid degrees of freedom share one coordinate; other joints have their own.
-    const RobotDof* dof =
-        mover.dof < 0 ? nullptr : &robot.dofs[static_cast<std::size_t>(mover.dof)];
+    const RobotDof* dof = mover.dof < 0 ? nullptr : &robot.dofs[mover.dof];
     const bool rigid = dof != nullptr && dof->kind == DriveCoupling::kRigid;
     mover.shared = rigid;
     if (rigid) mover.ratio = joint.ratio;
-    mover.coordinate = rigid ? shared[static_cast<std::size_t>(mover.dof)] : -1;
+    mover.coordinate = rigid ? shared[mover.dof] : -1;
     if (mover.coordinate < 0) {
       mover.coordinate = static_cast<int>(limits.size());
       limits.emplace_back();
       layout_.coordinates.push_back(rigid ? dof->name : joint.name);
-      if (rigid) shared[static_cast<std::size_t>(mover.dof)] = mover.coordinate;
+      if (rigid) shared[mover.dof] = mover.coordinate;
     }
-    limits[static_cast<std::size_t>(mover.coordinate)].narrow(joint, mover.ratio, dof);
+    limits[mover.coordinate].narrow(joint, mover.ratio, dof);
   }
   // A value must exist that satisfies all limits.
   layout_.lower.resize(static_cast<Eigen::Index>(limits.size()));
@@ -132,15 +125,15 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
     require(limit.lower <= limit.upper + kLimitRounding,
             "limits of '{}' and of what it drives leave nothing: {} .. {}", layout_.coordinates[i],
             limit.lower, limit.upper);
-    layout_.lower[static_cast<Eigen::Index>(i)] = limit.lower;
-    layout_.upper[static_cast<Eigen::Index>(i)] = std::max(limit.lower, limit.upper);
+    layout_.lower[i] = limit.lower;
+    layout_.upper[i] = std::max(limit.lower, limit.upper);
   }
 }
 
 void RobotHand::add_drives(const RobotSpec& robot) {
   std::vector<double> max_effort;
   for (int d = 0; d < dofs_; ++d) {
-    const RobotDof& dof = robot.dofs[static_cast<std::size_t>(d)];
+    const RobotDof& dof = robot.dofs[d];
     const bool rigid = dof.kind == DriveCoupling::kRigid;
     Drive drive{dof.name, dof.kind, {}, dof.speed, dof.breakaway, dof.backdrivable};
     // A rigid drive moves its one coordinate, others move each joint by its ratio.
@@ -160,13 +153,11 @@ void RobotHand::add_drives(const RobotSpec& robot) {
 
 /// Sets the posture in which closing begins, if any motor states a position.
 void RobotHand::set_open_posture(const RobotSpec& robot) {
-  if (std::none_of(robot.dofs.begin(), robot.dofs.end(),
-                   [](const RobotDof& dof) { return dof.open.has_value(); }))
-    return;
+  if (!any_of(robot.dofs, [](const RobotDof& dof) { return dof.open.has_value(); })) return;
   Eigen::VectorXd open = open_posture(layout_);
   for (const Mover& mover : movers_) {
     if (mover.dof < 0) continue;
-    const std::optional<double>& at = robot.dofs[static_cast<std::size_t>(mover.dof)].open;
+    const std::optional<double>& at = robot.dofs[mover.dof].open;
     if (at) open[mover.coordinate] = mover.shared ? *at : mover.dof_ratio * *at;
   }
   layout_.open = open.cwiseMax(layout_.lower).cwiseMin(layout_.upper);
@@ -215,7 +206,7 @@ std::vector<Pose<double>> RobotHand::pose(const Eigen::VectorXd& q) const {
       motion.p = value * mover.direction;
     else
       motion = screw_motion(mover.direction, mover.point, value);
-    X[i] = mover.parent < 0 ? motion : X[static_cast<std::size_t>(mover.parent)] * motion;
+    X[i] = mover.parent < 0 ? motion : X[mover.parent] * motion;
   }
   return X;
 }
@@ -227,11 +218,11 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
   const std::vector<Pose<double>> X = pose(q);
   Eigen::Matrix<double, 6, Eigen::Dynamic> J(6, q.size());
   J.setZero();
-  const Vector3d at = link < 0 ? p : Vector3d(X[static_cast<std::size_t>(link)] * p);
+  const Vector3d at = link < 0 ? p : Vector3d(X[link] * p);
   // Columns of all movers between the link and the base.
-  for (int i = link; i >= 0; i = movers_[static_cast<std::size_t>(i)].parent) {
-    const Mover& mover = movers_[static_cast<std::size_t>(i)];
-    const Pose<double>& now = X[static_cast<std::size_t>(i)];
+  for (int i = link; i >= 0; i = movers_[i].parent) {
+    const Mover& mover = movers_[i];
+    const Pose<double>& now = X[i];
     const Vector3d axis = mover.slope(q[mover.coordinate]) * (now.R * mover.direction);
     if (mover.is_prismatic) {
       J.col(mover.coordinate).tail<3>() += axis;
@@ -271,14 +262,14 @@ std::vector<Pose<double>> RobotHand::link_frames(const Eigen::VectorXd& q) const
   const std::vector<Pose<double>> X = pose(q);
   std::vector<Pose<double>> frames = reference_;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    if (mover_of_[i] >= 0) frames[i] = X[static_cast<std::size_t>(mover_of_[i])] * frames[i];
+    if (mover_of_[i] >= 0) frames[i] = X[mover_of_[i]] * frames[i];
   return frames;
 }
 
 Vector3d RobotHand::axis(const Eigen::VectorXd& q, int link) const {
-  const Mover& mover = movers_[static_cast<std::size_t>(link)];
+  const Mover& mover = movers_[link];
   if (mover.is_prismatic) return Vector3d::Zero();
-  return pose(q)[static_cast<std::size_t>(link)].R * mover.direction;
+  return pose(q)[link].R * mover.direction;
 }
 
 void RobotHand::require_posture(const Eigen::VectorXd& q) const {

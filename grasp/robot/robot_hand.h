@@ -49,17 +49,11 @@ class RobotHand final : public Hand {
   [[nodiscard]] Eigen::Vector3d axis(const Eigen::VectorXd& q, int link) const;
 
   /// Returns a point of that axis, at the reference posture [m] (3)
-  [[nodiscard]] Eigen::Vector3d axis_point(int link) const {
-    return movers_[static_cast<std::size_t>(link)].point;
-  }
-  [[nodiscard]] bool is_prismatic(int link) const {
-    return movers_[static_cast<std::size_t>(link)].is_prismatic;
-  }
+  [[nodiscard]] Eigen::Vector3d axis_point(int link) const { return movers_[link].point; }
+  [[nodiscard]] bool is_prismatic(int link) const { return movers_[link].is_prismatic; }
 
   /// Returns the entry of q that moves the joint that carries a link of the Hand.
-  [[nodiscard]] int coordinate_of(int link) const {
-    return movers_[static_cast<std::size_t>(link)].coordinate;
-  }
+  [[nodiscard]] int coordinate_of(int link) const { return movers_[link].coordinate; }
 
   /// Returns the link of the Hand to which a link of the robot belongs; -1: the base.
   [[nodiscard]] int mover_of(std::size_t link) const { return mover_of_[link]; }

@@ -1,8 +1,8 @@
 #include "grasp/robot/robot_tips.h"
 
-#include <algorithm>
 #include <map>
 
+#include "base/lists.h"
 #include "geometry/solid.h"
 
 namespace thenar {
@@ -18,9 +18,7 @@ Vector3d joint_origin(const RobotSpec& robot, const std::vector<Pose<double>>& r
     if (joint->child != link) continue;
     link = joint->parent;
     if (joint->kind == RobotJointKind::kFixed) continue;
-    const auto at = std::find_if(robot.links.begin(), robot.links.end(),
-                                 [&](const RobotLink& other) { return other.name == link; });
-    return reference[static_cast<std::size_t>(at - robot.links.begin())] * joint->X_PJ.p;
+    return reference[place_named(robot.links, link)] * joint->X_PJ.p;
   }
   return {0, 0, 0};
 }
@@ -56,8 +54,7 @@ std::vector<RobotTip> find_tips(const RobotSpec& robot,
     for (RobotTip& other : tips)
       if (other.digit == link.digit) tip = &other;
     if (tip == nullptr) tip = &tips.emplace_back(RobotTip{link.digit, static_cast<int>(i), {}});
-    if (depth[link.name] > depth[robot.links[static_cast<std::size_t>(tip->link)].name])
-      tip->link = static_cast<int>(i);
+    if (depth[link.name] > depth[robot.links[tip->link].name]) tip->link = static_cast<int>(i);
   }
   for (RobotTip& tip : tips) {
     // Far end of its shapes, or the origin of a link without shapes.
