@@ -105,6 +105,10 @@ struct TendonOptions {
   std::vector<std::string> kept{};
 };
 
+/// Returns every path point whose segment is kept, at the reference posture, from insertion to
+/// origin.
+[[nodiscard]] TendonPath<double> carried_points(const Skeleton& skeleton, const Strand& strand);
+
 /// Builds one digit of a subject with every muscle that crosses one of its joints. Its own paths
 /// are always straight: build_linear_tendons() adds wrapping.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing.

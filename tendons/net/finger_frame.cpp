@@ -22,7 +22,7 @@ constexpr double kFlexionCosine = 0.7071;
 
 /// Straight run of a tendon across a joint.
 struct Run {
-  CarriedPoint distal, proximal;
+  PathNode<double> distal, proximal;
 };
 
 /// Point of an axis nearest to a run, and their distance.
@@ -133,7 +133,7 @@ class FrameBuilder {
   }
 
   /// Poses a path point at the reference posture.
-  [[nodiscard]] CarriedPoint carried(const PathPoint& point) const {
+  [[nodiscard]] PathNode<double> carried(const PathPoint& point) const {
     return {skeleton_.link_of_segment.at(point.segment),
             skeleton_.segment_at.at(point.segment) * point.p};
   }
@@ -223,7 +223,7 @@ class FrameBuilder {
   void set_height(std::size_t j, const TreeState<double>& state) {
     // Run and axis of the joint in the straight finger.
     Run run = extensor_run(j);
-    for (CarriedPoint* point : {&run.distal, &run.proximal})
+    for (PathNode<double>* point : {&run.distal, &run.proximal})
       point->p = moved(state, point->link, point->p);
     const int link = skeleton_.link_of_segment.at(joint_[j]->parent);
     const Vector3d at = moved(state, link, Vector3d(at_joint(j) * joint_[j]->point));
@@ -298,16 +298,6 @@ Vector3d place_position(const FingerFrame& frame, const NetPlace& place) {
   const FingerBone& bone = frame.bone(place.bone);
   return bone.proximal + place.along * (bone.distal - bone.proximal) +
          height_ratio(bone, place.along) * place.height * direction_around(bone, place.angle);
-}
-
-std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand& strand) {
-  std::vector<CarriedPoint> points;
-  for (const PathPoint& point : strand.path) {
-    const auto link = skeleton.link_of_segment.find(point.segment);
-    if (link == skeleton.link_of_segment.end() || !point.surface.empty()) continue;
-    points.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
-  }
-  return points;
 }
 
 const Strand& pulled_strand(const Subject& subject, const std::string& muscle) {
