@@ -311,12 +311,15 @@ TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
   return DigitBuilder(subject, digit, options).take();
 }
 
-TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  // Check the posture.
-  const TendonModel<double>& model = digit.model;
-  require(q.size() == model.coordinates, "posture has {} angles, the digit {} joints", q.size(),
-          model.coordinates);
+void check_posture(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  require(q.size() == digit.model.coordinates, "posture has {} angles, the digit {} joints",
+          q.size(), digit.model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
+}
+
+TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  check_posture(digit, q);
+  const TendonModel<double>& model = digit.model;
   // Compute Jacobians of the tip, moment arms and passive torque.
   const TreeState<double> state = pose_tree(model.tree, q);
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);

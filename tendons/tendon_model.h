@@ -115,6 +115,9 @@ struct TendonOptions {
 [[nodiscard]] TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                              const TendonOptions& options = {});
 
+/// Checks a posture. @throws InputError unless it has an angle for each coordinate, each finite.
+void check_posture(const TendonDigit& digit, const Eigen::VectorXd& q);
+
 /// Computes the statics of the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
 

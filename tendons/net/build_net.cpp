@@ -250,6 +250,8 @@ constexpr double kMaxLoadRatio = 3;
 constexpr double kMaxSlackStrainError = 1e-5;
 
 /// Returns the index of a named part. @throws InputError listing the parts of the net
+}  // namespace
+
 // NOLINTNEXTLINE(misc-no-recursion): one level, for straight lines
 BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {

@@ -47,8 +47,7 @@ class FrameBuilder {
   FrameBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& net)
       : subject_(subject), digit_(digit), net_(net), skeleton_(digit.skeleton) {
     // Find the digit, its flexion axis and its radial side.
-    for (const Digit& d : subject.digits)
-      if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
+    tip_digit_ = find_named(subject.digits, skeleton_.tips.front().digit);
     require(tip_digit_->name != "thumb", "net '{}' is for fingers and cannot be used for the thumb",
             net.name);
     flexion_ = tip_digit_->proximal.cross(tip_digit_->dorsal);
@@ -98,8 +97,8 @@ class FrameBuilder {
 
   /// Returns the place of a segment in the digit, counted from the base; -1: not in the digit.
   [[nodiscard]] int depth(const std::string& segment) const {
-    const auto found = std::find(chain_.begin(), chain_.end(), segment);
-    return found == chain_.end() ? -1 : static_cast<int>(chain_.end() - found);
+    const int place = place_in(chain_, segment);
+    return place < 0 ? -1 : static_cast<int>(chain_.size()) - place;
   }
 
   /// Returns the run of a strand across joint j, if it has one.
@@ -210,13 +209,12 @@ class FrameBuilder {
     frame_.straight = Eigen::VectorXd::Zero(skeleton_.coordinates());
     // Coupled joints have no coordinate of their own.
     for (std::size_t j = 0; j < 3; ++j) {
-      const auto& names = skeleton_.coordinate_names;
-      const auto found = std::find(names.begin(), names.end(), joint_[j]->name);
-      if (found == names.end()) continue;
+      const int place = place_in(skeleton_.coordinate_names, joint_[j]->name);
+      if (place < 0) continue;
       // Angle between the two bones about the joint's axis.
       const Vector3d d = axis(j), u = frame_.bones[j].along, v = frame_.bones[j + 1].along;
       const double bent = std::atan2(d.dot(u.cross(v)), u.dot(v) - d.dot(u) * d.dot(v));
-      frame_.straight[found - names.begin()] = -bent;
+      frame_.straight[place] = -bent;
     }
   }
 
