@@ -96,16 +96,10 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   LinearProgram allowed = internal::balance_program(balance, balance.force_part * turned);
   if (aim == ForceDirection::kAlong) allowed.lower[0] = 0;
   const internal::RelativeInterior interior = internal::relative_interior(allowed);
-  ConstrainedForce result{interior.status,
-                          Vector3d::Zero(),
-                          0,
-                          VectorXd::Zero(m),
-                          VectorXd::Zero(m),
-                          0,
-                          "the balance has no solution",
-                          0,
-                          KktResidual{},
-                          KktResidual::kUnknown};
+  ConstrainedForce result;
+  result.status = interior.status;
+  result.tension = result.activation = VectorXd::Zero(m);
+  result.message = "the balance has no solution";
   if (interior.status == Status::kStalled) result.message = "a linear program stalled";
   if (interior.status != Status::kSolved) return result;
 

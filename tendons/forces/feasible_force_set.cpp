@@ -356,28 +356,13 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   add_fan(ring, set);
 }
 
-FeasibleForceSet empty_set(const TipStatics& statics, const internal::TipBalance& balance) {
-  const Index m = statics.R.rows();
-  return {Status::kSolved,
-          -1,
-          0.0,
-          Eigen::MatrixX3d(0, 3),
-          Eigen::MatrixX3i(0, 3),
-          Eigen::MatrixX3d(0, 3),
-          VectorXd(0),
-          MatrixXd(0, m),
-          MatrixXd(0, m),
-          balance.U.rightCols(3 - balance.rank),
-          0.0,
-          0.0,
-          ""};
-}
-
 }  // namespace
 
 FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   const internal::TipBalance balance = internal::tip_balance(statics);
-  FeasibleForceSet set = empty_set(statics, balance);
+  FeasibleForceSet set;
+  set.tension = set.activation = MatrixXd(0, statics.R.rows());
+  set.carried = balance.U.rightCols(3 - balance.rank);
 
   // Find the affine hull; an empty or unbounded set is detected here.
   SupportOracle oracle(balance);
