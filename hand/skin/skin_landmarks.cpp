@@ -1,6 +1,5 @@
 #include "hand/skin/skin_landmarks.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
