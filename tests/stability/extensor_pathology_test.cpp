@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/posture_sweep.h"
