@@ -88,6 +88,18 @@ void for_each_hinge_to_base(const Tree<T>& tree, int link, Visit visit) {
   for (int i = link; i >= 0; i = tree[i].parent) visit(i);
 }
 
+/// Calls visit(i, on_b) for every hinge between two links, up to their common ancestor, the deeper
+/// one first; on_b: it moves b, not a.
+template <typename T, typename Visit>
+void for_each_hinge_between(const Tree<T>& tree, int a, int b, Visit visit) {
+  while (a != b) {
+    const bool on_b = b > a;  // parents have smaller indices
+    int& deeper = on_b ? b : a;
+    visit(deeper, on_b);
+    deeper = tree[deeper].parent;
+  }
+}
+
 /// Computes the position Jacobian of a point of a link,  d p / d q,  3 x coordinates [m/rad].
 /// @param p  present position of the point [m] (3)
 template <typename T>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -56,9 +58,9 @@ double passive_energy(const CoordinateLimits& limits, double q) {
 }
 
 bool has_passive(const Skeleton& skeleton) {
-  return std::any_of(
-      skeleton.limits.begin(), skeleton.limits.end(),
-      [](const CoordinateLimits& each) { return each.stiffness > 0 || !each.ends.empty(); });
+  return any_of(skeleton.limits, [](const CoordinateLimits& each) {
+    return each.stiffness > 0 || !each.ends.empty();
+  });
 }
 
 }  // namespace thenar

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "hand/passive_moment.h"
@@ -14,7 +15,7 @@ namespace {
 
 /// Returns whether a digit is among those to keep.
 bool keeps(const std::vector<std::string>& digits, const Digit& digit) {
-  return digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0;
+  return digits.empty() || contains(digits, digit.name);
 }
 
 /// Returns the segments between the tips of the kept digits and the base.
@@ -33,15 +34,12 @@ std::set<std::string> kept_segments(const Subject& subject,
 void require_known(const Subject& subject, const SkeletonOptions& options) {
   // Check that the digits exist.
   for (const std::string& name : options.digits)
-    require(std::any_of(subject.digits.begin(), subject.digits.end(),
-                        [&](const Digit& digit) { return digit.name == name; }),
-            "subject '{}' has no digit '{}'", subject.name, name);
+    require(find_named(subject.digits, name) != nullptr, "subject '{}' has no digit '{}'",
+            subject.name, name);
   // Check that frozen joints exist, with angles within their limits.
   for (const auto& [name, angle] : options.frozen) {
-    const auto joint = std::find_if(subject.joints.begin(), subject.joints.end(),
-                                    [&, &n = name](const JointAxis& j) { return j.name == n; });
-    require(joint != subject.joints.end(), "subject '{}' has no joint '{}' to freeze", subject.name,
-            name);
+    const JointAxis* joint = find_named(subject.joints, name);
+    require(joint != nullptr, "subject '{}' has no joint '{}' to freeze", subject.name, name);
     require(angle >= joint->lower && angle <= joint->upper,
             "joint '{}' cannot be frozen at {} rad, outside its limits {} .. {}", name, angle,
             joint->lower, joint->upper);
@@ -51,11 +49,9 @@ void require_known(const Subject& subject, const SkeletonOptions& options) {
 /// Returns the digits that a joint moves.
 std::vector<Digit> digits_moved(const Subject& subject, const std::string& joint) {
   std::vector<Digit> moved;
-  for (const JointAxis& candidate : subject.joints)
+  if (const JointAxis* mover = find_named(subject.joints, joint))
     for (const Digit& digit : subject.digits)
-      if (candidate.name == joint &&
-          kept_segments(subject, {digit.name}).count(candidate.child) > 0)
-        moved.push_back(digit);
+      if (kept_segments(subject, {digit.name}).count(mover->child) > 0) moved.push_back(digit);
   return moved;
 }
 
@@ -179,20 +175,18 @@ class SkeletonBuilder {
   void require_kept(const std::string& leader, const std::string& follower) const {
     const std::vector<Digit> digits = digits_moved(subject_, leader);
     require(
-        digits.empty() || std::any_of(digits.begin(), digits.end(),
-                                      [&](const Digit& d) { return keeps(options_.digits, d); }),
+        digits.empty() || any_of(digits, [&](const Digit& d) { return keeps(options_.digits, d); }),
         "joint '{}' is coupled to '{}' of a digit left out: keep digit '{}', too", follower, leader,
         digits.empty() ? "" : digits.front().name);
   }
 
   /// Returns the coordinate of a leader.
   [[nodiscard]] int coordinate_of(const std::string& leader, const std::string& follower) const {
-    const auto& names = skeleton_.coordinate_names;
-    const auto found = std::find(names.begin(), names.end(), leader);
-    if (found == names.end()) require_kept(leader, follower);
-    require(found != names.end(),
-            "joint '{}' is coupled to '{}', which is not a free joint before it", follower, leader);
-    return static_cast<int>(found - names.begin());
+    const int place = place_in(skeleton_.coordinate_names, leader);
+    if (place < 0) require_kept(leader, follower);
+    require(place >= 0, "joint '{}' is coupled to '{}', which is not a free joint before it",
+            follower, leader);
+    return place;
   }
 
   /// Adds the mass of a segment to its link.
@@ -243,10 +237,10 @@ Eigen::VectorXd posture(const Skeleton& skeleton, const std::map<std::string, do
   Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
   const auto& names = skeleton.coordinate_names;
   for (const auto& [name, angle] : angles) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    require(found != names.end(), "no joint '{}' to pose; there are {}", name, listed(names));
+    const int place = place_in(names, name);
+    require(place >= 0, "no joint '{}' to pose; there are {}", name, listed(names));
     require(std::isfinite(angle), "angle of joint '{}' must be finite, got {}", name, angle);
-    q[found - names.begin()] = angle;
+    q[place] = angle;
   }
   return q;
 }

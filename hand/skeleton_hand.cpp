@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -57,9 +58,7 @@ SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
 
 std::vector<Pose<double>> SkeletonHand::pose(const Eigen::VectorXd& q) const {
   require_posture(q);
-  std::vector<Pose<double>> poses;
-  for (const LinkState<double>& link : pose_tree(skeleton_.tree, q)) poses.push_back(link.X);
-  return poses;
+  return transformed(pose_tree(skeleton_.tree, q), [](const auto& link) { return link.X; });
 }
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> SkeletonHand::jacobian(const Eigen::VectorXd& q, int link,

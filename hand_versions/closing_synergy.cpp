@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/name_conventions.h"
 
 namespace thenar {
@@ -14,10 +15,7 @@ namespace {
 /// hinge of another digit or the wrist.
 std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy& digit,
                                       const std::string& joint) {
-  // Find the segment that the joint moves.
-  std::string child;
-  for (const JointAxis& each : subject.joints)
-    if (each.name == joint) child = each.child;
+  const std::string& child = find_named(subject.joints, joint)->child;
   for (std::size_t i = 0; i < digit.bones.size(); ++i) {
     // Walk inwards from each bone, through the links of a universal joint.
     std::string name = digit.bones[i].segment;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/net_description.h"
 #include "hand/skin/hand_anatomy.h"
 #include "hand_versions/closing_synergy.h"
@@ -53,8 +54,8 @@ bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
 /// Returns the path model that the subject's strands allow: strands with arms instead of points
 /// have no path.
 Path path_of(const Subject& subject, const std::optional<Path>& asked) {
-  const bool arms = std::all_of(subject.strands.begin(), subject.strands.end(),
-                                [](const Strand& strand) { return strand.path.empty(); });
+  const bool arms =
+      all_of(subject.strands, [](const Strand& strand) { return strand.path.empty(); });
   return arms ? Path::kConstant : asked.value_or(default_path(subject));
 }
 
@@ -66,11 +67,10 @@ TendonOptions tendon_options(const Subject& subject, const std::string& digit,
   // Select the frozen joints that this subject has.
   options.path = path_of(subject, path);
   for (const auto& [joint, angle] : frozen)
-    for (const JointAxis& each : subject.joints)
-      if (each.name == joint) options.frozen[joint] = angle;
+    if (find_named(subject.joints, joint) != nullptr) options.frozen[joint] = angle;
   // Use its hood, if the subject states one.
-  for (const Digit& each : subject.digits)
-    if (each.name == digit) options.hood = each.hood ? Hood::kFractions : Hood::kSeparate;
+  const bool hood = find_named(subject.digits, digit)->hood.has_value();
+  options.hood = hood ? Hood::kFractions : Hood::kSeparate;
   return options;
 }
 
@@ -106,7 +106,7 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
                                  ? net_or_linear_tendons(subject, digit.name, options, warnings)
                                  : build_digit_tendons(subject, digit.name, options));
     for (const std::string& name : tendons.digits.back()->digit().names.muscles)
-      if (std::count(muscles.begin(), muscles.end(), name) == 0) muscles.push_back(name);
+      if (!contains(muscles, name)) muscles.push_back(name);
   }
   // Set the largest tensions, and warn of assumptions.
   MuscleForces forces = muscle_forces(subject, muscles);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "hand_versions/hand_actuator.h"
 
 namespace thenar {
@@ -13,11 +14,6 @@ namespace {
 TorqueLimits no_motors(const Skeleton& skeleton) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(skeleton.coordinates());
   return {zero, zero};
-}
-
-/// Returns the index of a name, or the size if it is absent.
-int place_of(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 }  // namespace
@@ -37,14 +33,14 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
     const TendonNames& names = tendons_of->digit().names;
     Place place;
     for (const std::string& name : names.coordinates) {
-      place.coordinates.push_back(place_of(layout_.coordinates, name));
-      require(place.coordinates.back() < skeleton.coordinates(),
-              "tendons move joint '{}', which the hand lacks", name);
+      place.coordinates.push_back(place_in(layout_.coordinates, name));
+      require(place.coordinates.back() >= 0, "tendons move joint '{}', which the hand lacks", name);
     }
     // Use one actuator for a muscle that two digits share.
     for (const std::string& name : names.muscles) {
-      place.actuators.push_back(place_of(layout_.actuators, name));
-      if (place.actuators.back() < static_cast<int>(force.size())) continue;
+      const int known = place_in(layout_.actuators, name);
+      place.actuators.push_back(known >= 0 ? known : static_cast<int>(force.size()));
+      if (known >= 0) continue;
       const auto found = tendons.max_force.find(name);
       require(found != tendons.max_force.end(), "no largest tension for muscle '{}'", name);
       require(found->second > 0 && std::isfinite(found->second),

@@ -13,15 +13,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Checks a posture.
-void check_input(const TendonDigit& digit, const VectorXd& q) {
-  require(q.size() == digit.model.coordinates, "posture has {} angles, the digit {} joints",
-          q.size(), digit.model.coordinates);
-  require(q.allFinite(), "posture has an angle that is not finite");
-}
 /// Checks a posture and tensions.
 void check_input(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
-  check_input(digit, q);
+  check_posture(digit, q);
   const auto muscles = static_cast<Eigen::Index>(digit.names.muscles.size());
   require(t.size() == muscles, "there are {} tensions for {} muscles", t.size(), muscles);
   for (Eigen::Index m = 0; m < muscles; ++m)
@@ -162,11 +156,11 @@ class LinearTendons : public DigitTendons {
     explicit Arms(const LinearTendons& of)
         : of_(&of), workspace_{of.paths_->make_workspace(), {}, {}} {}
     void solve(const VectorXd& q, TendonTorque& out) override {
-      check_input(of_->digit_, q);
+      check_posture(of_->digit_, q);
       of_->set_arms(q, workspace_, out);
     }
     void slopes(const VectorXd& q, ArmSlopes& out) override {
-      check_input(of_->digit_, q);
+      check_posture(of_->digit_, q);
       of_->set_slopes(q, workspace_, out);
     }
 

@@ -25,14 +25,10 @@ struct RunMotion {
 void find_motions(const Tree<double>& tree, const TreeState<double>& state, const LinkRun& run,
                   std::vector<RunMotion>& moves) {
   moves.clear();
-  for (int a = run.link_a, b = run.link_b; a != b;) {
-    const bool on_b = b > a;
-    const int i = on_b ? b : a;
-    const auto& at = state[i];
-    const Vector3d r = at.axis.cross((on_b ? run.b : run.a) - at.point);
+  for_each_hinge_between(tree, run.link_a, run.link_b, [&](int i, bool on_b) {
+    const Vector3d r = state[i].axis.cross((on_b ? run.b : run.a) - state[i].point);
     moves.push_back({i, on_b, on_b ? r : Vector3d(-r)});
-    (on_b ? b : a) = tree[i].parent;
-  }
+  });
 }
 
 }  // namespace

@@ -42,20 +42,16 @@ template <typename T>
   Eigen::Matrix<T, 1, Eigen::Dynamic> R(coordinates);
   R.setZero();
   for (std::size_t k = 1; k < path.size(); ++k) {
-    int a = path[k - 1].link, b = path[k].link;
+    const int a = path[k - 1].link, b = path[k].link;
     if (a == b) continue;
     // Direction of the run.
     const Vec3<T> p_a = moved(state, a, path[k - 1].p), p_b = moved(state, b, path[k].p);
     const Vec3<T> u = (p_b - p_a).normalized();
-    // Climb from both links to their common ancestor; parents have smaller indices.
-    while (a != b) {
-      const bool climb_b = b > a;
-      const int i = climb_b ? b : a;
-      const Vec3<T>& p = climb_b ? p_b : p_a;
-      const T pull = u.dot(state[i].axis.cross(p - state[i].point));
-      R[tree[i].coordinate] += T(tree[i].ratio) * (climb_b ? -pull : pull);
-      (climb_b ? b : a) = tree[i].parent;
-    }
+    // Climb from both links to their common ancestor.
+    for_each_hinge_between(tree, a, b, [&](int i, bool on_b) {
+      const T pull = u.dot(state[i].axis.cross((on_b ? p_b : p_a) - state[i].point));
+      R[tree[i].coordinate] += T(tree[i].ratio) * (on_b ? -pull : pull);
+    });
   }
   return R;
 }

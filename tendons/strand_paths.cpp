@@ -90,7 +90,8 @@ class WrappedStrands : public StrandPaths {
     // Compute the second derivatives of all paths.
     std::vector<ArmDerivatives> paths =
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
-    StrandDerivatives slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
+    StrandDerivatives slopes{true, {}, lengths_of(shapes, q), {}};
+    set_rows(state, shapes, slopes.R);
     // Copy them to the strands; those without a path have constant arms.
     for (const int number : path_of_) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
@@ -119,14 +120,6 @@ class WrappedStrands : public StrandPaths {
     return length;
   }
 
-  /// Computes the arms of all strands (strands, coordinates) [m/rad].
-  [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
-                                        const std::vector<PathShape>& shapes) const {
-    Eigen::MatrixXd R;
-    set_rows(state, shapes, R);
-    return R;
-  }
-
   /// Overwrites R with the arms of all strands (strands, coordinates) [m/rad].
   void set_rows(const TreeState<double>& state, const std::vector<PathShape>& shapes,
                 Eigen::MatrixXd& R) const {
@@ -142,13 +135,18 @@ class WrappedStrands : public StrandPaths {
   std::vector<int> strand_of_;  // strand of each path; -1: it only carries another
 };
 
-}  // namespace
-
-std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const TendonDigit& digit) {
+/// Builds the paths of strands that have one.
+PathSet strand_paths(const Subject& subject, const TendonDigit& digit) {
   std::vector<std::string> with_path;
   for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
     if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
-  return std::make_unique<WrappedStrands>(build_paths(subject, digit.skeleton, with_path), digit);
+  return build_paths(subject, digit.skeleton, with_path);
+}
+
+}  // namespace
+
+std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const TendonDigit& digit) {
+  return std::make_unique<WrappedStrands>(strand_paths(subject, digit), digit);
 }
 
 namespace {
@@ -174,17 +172,12 @@ class FittedStrands : public StrandPaths {
       : box_(fit_box(digit.skeleton)),
         names_(digit.names.coordinates),
         constant_(digit.model.constant_arms) {
-    // Build the paths of strands that have one.
-    std::vector<std::string> with_path;
-    for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
-      if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
-    const PathSet set = build_paths(subject, digit.skeleton, with_path);
     // Fit each wrapped path over the ranges of its joints.
+    const PathSet set = strand_paths(subject, digit);
     for (std::size_t k = 0; k < set.paths.size(); ++k) {
-      const auto strand =
-          std::find(digit.names.strands.begin(), digit.names.strands.end(), set.paths[k].name);
-      if (strand == digit.names.strands.end()) continue;  // it only carries another
-      row_.push_back(strand - digit.names.strands.begin());
+      const int strand = place_in(digit.names.strands, set.paths[k].name);
+      if (strand < 0) continue;  // it only carries another
+      row_.push_back(strand);
       paths_.push_back(fit_path(digit.model.tree, set, k, box_, order));
     }
     worst_fit_ = worst_fit(paths_);

@@ -18,14 +18,8 @@ const Digit& digit_of(const Subject& subject, const std::string& name) {
 
 /// Builds a path from the points on kept links, without surfaces.
 TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
-  TendonPath<double> path;
-  // Collect points on kept links, and check that runs across a joint have a length.
-  for (const PathPoint& point : strand.path) {
-    if (!point.surface.empty()) continue;
-    const auto link = skeleton.link_of_segment.find(point.segment);
-    if (link == skeleton.link_of_segment.end()) continue;
-    path.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
-  }
+  TendonPath<double> path = carried_points(skeleton, strand);
+  // Check that runs across a joint have a length.
   for (std::size_t k = 1; k < path.size(); ++k)
     require(path[k].link == path[k - 1].link || (path[k].p - path[k - 1].p).norm() > 1e-9,
             "path of strand '{}' has a zero-length run across a joint at point {}", strand.name, k);
@@ -255,12 +249,9 @@ class DigitBuilder {
 
   /// Returns the subject's constant arm of a strand at a joint, 0 without one [m/rad].
   [[nodiscard]] double stated_arm(const std::string& strand, const std::string& joint) const {
-    for (const Strand& each : subject_.strands)
-      if (each.name == strand) {
-        const auto arm = each.arms.find(joint);
-        return arm == each.arms.end() ? 0 : arm->second;
-      }
-    return 0;
+    const std::map<std::string, double>& arms = find_named(subject_.strands, strand)->arms;
+    const auto arm = arms.find(joint);
+    return arm == arms.end() ? 0 : arm->second;
   }
 
   /// Returns the row of a strand of the hood.
@@ -305,17 +296,30 @@ Path default_path(const Subject& subject) {
   return more ? Path::kWrapped : Path::kViaPoint;
 }
 
+TendonPath<double> carried_points(const Skeleton& skeleton, const Strand& strand) {
+  TendonPath<double> points;
+  for (const PathPoint& point : strand.path) {
+    const auto link = skeleton.link_of_segment.find(point.segment);
+    if (link == skeleton.link_of_segment.end() || !point.surface.empty()) continue;
+    points.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
+  }
+  return points;
+}
+
 TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                const TendonOptions& options) {
   return DigitBuilder(subject, digit, options).take();
 }
 
-TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  // Check the posture.
-  const TendonModel<double>& model = digit.model;
-  require(q.size() == model.coordinates, "posture has {} angles, the digit {} joints", q.size(),
-          model.coordinates);
+void check_posture(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  require(q.size() == digit.model.coordinates, "posture has {} angles, the digit {} joints",
+          q.size(), digit.model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
+}
+
+TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  check_posture(digit, q);
+  const TendonModel<double>& model = digit.model;
   // Compute Jacobians of the tip, moment arms and passive torque.
   const TreeState<double> state = pose_tree(model.tree, q);
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);

@@ -105,11 +105,18 @@ struct TendonOptions {
   std::vector<std::string> kept{};
 };
 
+/// Returns every path point whose segment is kept, at the reference posture, from insertion to
+/// origin.
+[[nodiscard]] TendonPath<double> carried_points(const Skeleton& skeleton, const Strand& strand);
+
 /// Builds one digit of a subject with every muscle that crosses one of its joints. Its own paths
 /// are always straight: build_linear_tendons() adds wrapping.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing.
 [[nodiscard]] TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                              const TendonOptions& options = {});
+
+/// Checks a posture. @throws InputError unless it has an angle for each coordinate, each finite.
+void check_posture(const TendonDigit& digit, const Eigen::VectorXd& q);
 
 /// Computes the statics of the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);

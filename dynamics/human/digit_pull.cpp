@@ -338,8 +338,8 @@ void DigitPull::set_rates(const ElementInput& at, const PullValues& values,
   for (Index i = 0; i < count; ++i) {
     const int m = muscles_.contracting[i];
     // Activation dynamics.
-    const ActivationRate rate = activation_rate_with_slope(
-        values.excitation[m], values.state.activation[m], model_->activation);
+    const ActivationRate rate =
+        activation_rate(values.excitation[m], values.state.activation[m], model_->activation);
     out.z_rate[at.first_z + i] = rate.rate;
     out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!muscles_.has_fibre) continue;
@@ -431,7 +431,7 @@ bool DigitPull::may_start_motion(const ElementInput& at) const {
   const PullValues& values = evaluate(at, ElementNeed::kRates);
   return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {
     const double rate =
-        activation_rate(values.excitation[m], values.state.activation[m], model_->activation);
+        activation_rate(values.excitation[m], values.state.activation[m], model_->activation).rate;
     const double fibre = muscles_.has_fibre
                              ? contraction().projected_fibre_rate(m, values.state.muscle(m)) /
                                    muscles_.fibre_length[m]

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/parallel_for.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/capsule_fit.h"
@@ -54,13 +55,6 @@ class SoftShape final : public Shape {
   Eigen::AlignedBox3d bounds_;
   std::optional<FlatCut> cut_;
 };
-
-const Segment& find_segment(const Subject& subject, const std::string& name) {
-  for (const Segment& segment : subject.segments)
-    if (segment.name == name) return segment;
-  throw InputError(
-      fmt::format("a mesh for segment '{}', which '{}' does not have", name, subject.name));
-}
 
 /// Throws if an edge does not belong to two triangles that run along it in opposite senses.
 void require_closed(const TriangleMesh& mesh, const std::string& segment) {
@@ -112,37 +106,6 @@ std::string bytes_of(const ImplicitBody& body) {
   }
   return bytes;
 }
-
-/// Builder of the surfaces of links.
-class SkinBuilder {
- public:
-  SkinBuilder(const Skeleton& skeleton, const SkinOptions& options)
-      : skeleton_(skeleton), options_(options) {}
-
-  /// Adds the surface of a segment. @param picture  empty: the mesh itself
-  void add(const std::string& digit, const std::string& segment, TriangleMesh mesh,
-           TriangleMesh picture = {}) {
-    // Skip segments that the skeleton does not keep.
-    const auto link = skeleton_.link_of_segment.find(segment);
-    if (link == skeleton_.link_of_segment.end()) return;
-    const Pose<double>& at = skeleton_.segment_at.at(segment);
-    // Transform the meshes to the hand's frame.
-    for (TriangleMesh* each : {&mesh, &picture})
-      each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
-    Solid solid = options_.capsules && !digit.empty() ? capsule_of(std::move(mesh))
-                                                      : solid_of(std::move(mesh), segment);
-    if (!picture.empty()) solid.visual = std::move(picture);
-    surfaces_.push_back({link->second, segment, digit, options_.material,
-                         std::make_shared<const Solid>(std::move(solid))});
-  }
-
-  std::vector<LinkSurface> take() { return std::move(surfaces_); }
-
- private:
-  const Skeleton& skeleton_;
-  const SkinOptions& options_;
-  std::vector<LinkSurface> surfaces_;
-};
 
 /// Meshes a body, with a flat cut if given. @throws InputError below 100 triangles
 TriangleMesh mesh_of(const ImplicitBody& body, const std::optional<FlatCut>& cut, int triangles) {
@@ -237,13 +200,30 @@ TriangleMesh skin_mesh(const ImplicitBody& body, int triangles) {
 std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& skeleton,
                                         const SkinOptions& options) {
   const HandAnatomy hand = find_anatomy(subject);
-  const std::vector<Skin> skins = skins_of(hand, skeleton, options);
-  SkinBuilder maker(skeleton, options);
-  // Add generated skins, then the user's own.
-  for (const Skin& skin : skins) maker.add(skin.digit, skin.segment, skin.mesh, skin.picture);
-  for (const auto& [segment, mesh] : options.own)
-    maker.add(digit_of(hand, segment), find_segment(subject, segment).name, mesh);
-  return maker.take();
+  // Make generated skins, then add the user's own.
+  std::vector<Skin> skins = skins_of(hand, skeleton, options);
+  for (const auto& [segment, mesh] : options.own) {
+    require(find_named(subject.segments, segment) != nullptr,
+            "a mesh for segment '{}', which '{}' does not have", segment, subject.name);
+    skins.push_back({digit_of(hand, segment), segment, {}, mesh, {}});
+  }
+  std::vector<LinkSurface> surfaces;
+  for (Skin& skin : skins) {
+    // Skip segments that the skeleton does not keep.
+    const auto link = skeleton.link_of_segment.find(skin.segment);
+    if (link == skeleton.link_of_segment.end()) continue;
+    const Pose<double>& at = skeleton.segment_at.at(skin.segment);
+    // Transform the meshes to the hand's frame.
+    for (TriangleMesh* each : {&skin.mesh, &skin.picture})
+      each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
+    Solid solid = options.capsules && !skin.digit.empty()
+                      ? capsule_of(std::move(skin.mesh))
+                      : solid_of(std::move(skin.mesh), skin.segment);
+    if (!skin.picture.empty()) solid.visual = std::move(skin.picture);
+    surfaces.push_back({link->second, skin.segment, skin.digit, options.material,
+                        std::make_shared<const Solid>(std::move(solid))});
+  }
+  return surfaces;
 }
 
 SkinError capsule_error(const std::vector<LinkSurface>& surfaces) {

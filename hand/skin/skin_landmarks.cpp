@@ -1,10 +1,10 @@
 #include "hand/skin/skin_landmarks.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -161,8 +161,7 @@ const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches, const std::str
 Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton, const std::string& digit) {
   const std::vector<SkinPatch> patches = skin_patches(find_anatomy(subject), skeleton);
   const SkinLandmark& pad = pad_of(patches, digit);
-  const auto segment = std::find_if(subject.segments.begin(), subject.segments.end(),
-                                    [&](const Segment& each) { return each.name == pad.segment; });
+  const Segment* segment = find_named(subject.segments, pad.segment);
   const Vector3d bone =
       skeleton.segment_at.at(pad.segment).R * (segment->distal - segment->proximal).normalized();
   return (pad.outward - pad.outward.dot(bone) * bone).normalized();

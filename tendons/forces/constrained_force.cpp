@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "solvers/linear_program.h"
 #include "solvers/relative_interior.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/tip_balance.h"
@@ -51,23 +50,6 @@ ConstraintValue evaluate(const std::vector<ForceConstraint>& limits, const Vecto
   return all;
 }
 
-/// Builds the program of the balance alone: E z = e with the bounds of amounts and activations.
-LinearProgram balance_program(const internal::TipBalance& balance, const MatrixXd& loads,
-                              ForceDirection aim) {
-  const Index n = loads.rows(), k = loads.cols(), m = balance.upper.size();
-  LinearProgram program;
-  // Set the balance of loads and tensions in the rows.
-  program.A.resize(n, k + m);
-  program.A << loads, balance.tension_part;
-  program.row_lower = program.row_upper = balance.constant;
-  program.lower = VectorXd::Zero(k + m);
-  // Set the bounds; amounts along a component may be negative.
-  if (aim == ForceDirection::kComponent) program.lower.head(k).setConstant(-kInfinity);
-  program.upper = VectorXd::Constant(k + m, kInfinity);
-  program.upper.tail(m) = balance.upper;
-  return program;
-}
-
 /// Adds the constraints as rows below the bounds.
 void add_limits(const internal::RelativeInterior& interior, const Unknowns& unknowns,
                 const std::vector<ForceConstraint>& limits, NonlinearProgram& program) {
@@ -111,18 +93,13 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   const MatrixXd axes = aim == ForceDirection::kAlong ? MatrixXd(d) : MatrixXd(balance.U);
   const MatrixXd turned = internal::without_rounding(balance.U.transpose() * axes);
   const Unknowns unknowns{balance.force_unit * axes, balance.unit};
-  const internal::RelativeInterior interior =
-      internal::relative_interior(balance_program(balance, balance.force_part * turned, aim));
-  ConstrainedForce result{interior.status,
-                          Vector3d::Zero(),
-                          0,
-                          VectorXd::Zero(m),
-                          VectorXd::Zero(m),
-                          0,
-                          "the balance has no solution",
-                          0,
-                          KktResidual{},
-                          KktResidual::kUnknown};
+  LinearProgram allowed = internal::balance_program(balance, balance.force_part * turned);
+  if (aim == ForceDirection::kAlong) allowed.lower[0] = 0;
+  const internal::RelativeInterior interior = internal::relative_interior(allowed);
+  ConstrainedForce result;
+  result.status = interior.status;
+  result.tension = result.activation = VectorXd::Zero(m);
+  result.message = "the balance has no solution";
   if (interior.status == Status::kStalled) result.message = "a linear program stalled";
   if (interior.status != Status::kSolved) return result;
 

@@ -22,17 +22,18 @@ enum class ForceDirection {
 
 /// Result of constrained_force().
 struct ConstrainedForce {
-  Status status;               // read this first
-  Eigen::Vector3d force;       // force of the tip on the world, world frame [N] (3)
-  double component;            // component of `force` along the direction, d' f [N]
-  Eigen::VectorXd tension;     // tensions that produce it [N] (m)
-  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero [1] (m)
-  double excess;               // largest g of all constraints; <= 1e-8 if solved [unit of g]
-  std::string message;         // reason for the end of the search
-  int iterations;              // iterations of the interior-point method
+  Status status = Status::kStalled;  // read this first
+  Eigen::Vector3d force{0, 0, 0};    // force of the tip on the world, world frame [N] (3)
+  double component = 0;              // component of `force` along the direction, d' f [N]
+  Eigen::VectorXd tension;           // tensions that produce it [N] (m)
+  Eigen::VectorXd activation;        // tension / F0, 0 where F0 is infinite or zero [1] (m)
+  double excess = 0;                 // largest g of all constraints; <= 1e-8 if solved [unit of g]
+  std::string message;               // reason for the end of the search
+  int iterations = 0;                // iterations of the interior-point method
   KktResidual kkt_residual;  // first-order residuals. With convex constraints and no gradient left,
                              // complementarity bounds how much larger an allowed force can be [N]
-  double imbalance;          // largest of |J' f - R' t - tau_0|, NaN without tensions [N m]
+  double imbalance =
+      KktResidual::kUnknown;  // largest of |J' f - R' t - tau_0|, NaN without tensions [N m]
 };
 
 /// Maximises the force of a pinned tip along a direction, under further constraints:

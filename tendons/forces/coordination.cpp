@@ -1,7 +1,6 @@
 #include "tendons/forces/coordination.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
 #include "solvers/linear_program.h"
@@ -29,15 +28,10 @@ struct Task {
 /// Builds the bounds and balance of activations that produce the wanted force, without an
 /// objective.
 LinearProgram activation_program(const Task& task) {
-  const Index m = task.balance.upper.size();
   const VectorXd wanted =
       task.balance.row_scale.cwiseProduct(task.statics.J.transpose() * task.wanted);
-  LinearProgram program;
-  program.objective = VectorXd::Zero(m);
-  program.A = task.balance.tension_part;
+  LinearProgram program = internal::balance_program(task.balance, MatrixXd(wanted.size(), 0));
   program.row_lower = program.row_upper = task.balance.constant - wanted;
-  program.lower = VectorXd::Zero(m);
-  program.upper = task.balance.upper;
   return program;
 }
 
@@ -97,15 +91,8 @@ NonlinearProgram effort_program(const internal::RelativeInterior& interior, doub
 Coordination nearest_force(const Task& task) {
   const internal::TipBalance& balance = task.balance;
   const Index m = balance.upper.size();
-  LinearProgram everything = activation_program(task);
-  everything.A.resize(balance.constant.size(), 3 + m);
-  everything.A << balance.force_part, balance.tension_part;
-  everything.row_lower = everything.row_upper = balance.constant;
-  everything.lower = VectorXd::Zero(3 + m);
-  everything.lower.head<3>().setConstant(-std::numeric_limits<double>::infinity());
-  everything.upper = VectorXd::Constant(3 + m, std::numeric_limits<double>::infinity());
-  everything.upper.tail(m) = balance.upper;
-  const internal::RelativeInterior interior = internal::relative_interior(everything);
+  const internal::RelativeInterior interior =
+      internal::relative_interior(internal::balance_program(balance, balance.force_part));
   if (interior.status != Status::kSolved)
     return report(task, interior.status, VectorXd::Zero(m), Vector3d::Zero(),
                   interior.status == Status::kStalled

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -12,6 +11,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "solvers/convex_hull.h"
 #include "solvers/linear_program.h"
@@ -47,17 +47,9 @@ struct Point {
 /// Oracle of the farthest point of the set in any direction.
 class SupportOracle {
  public:
-  explicit SupportOracle(const internal::TipBalance& balance) : r_(balance.rank) {
-    const Index n = balance.constant.size(), m = balance.upper.size();
-    program_.A.resize(n, r_ + m);
-    program_.A << balance.force_part.leftCols(r_), balance.tension_part;
-    program_.row_lower = program_.row_upper = balance.constant;
-    program_.lower = VectorXd::Zero(r_ + m);
-    program_.lower.head(r_).setConstant(-std::numeric_limits<double>::infinity());
-    program_.upper = VectorXd::Constant(r_ + m, std::numeric_limits<double>::infinity());
-    program_.upper.tail(m) = balance.upper;
-    program_.objective = VectorXd::Zero(r_ + m);
-  }
+  explicit SupportOracle(const internal::TipBalance& balance)
+      : r_(balance.rank),
+        program_(internal::balance_program(balance, balance.force_part.leftCols(r_))) {}
 
   [[nodiscard]] Index dimension() const { return r_; }
   [[nodiscard]] Status worst() const { return worst_; }  // worst status of all results so far
@@ -205,8 +197,8 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
     double open = 0;  // excess over facets without a new point
     // Find the farthest point over every facet that is not certified yet.
     for (const HullFacet& facet : hull.facets) {
-      const auto is_same = [&](const HullFacet& other) { return same_plane(facet, other); };
-      if (std::any_of(certified.begin(), certified.end(), is_same)) continue;
+      if (any_of(certified, [&](const HullFacet& other) { return same_plane(facet, other); }))
+        continue;
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
       const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
       // Grow the hull by a new point.
@@ -333,6 +325,10 @@ bool closed(const Eigen::MatrixX3i& triangles) {
 void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
                 SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
                 FeasibleForceSet& set) {
+  const auto stall = [&](const std::string& why) {
+    set.status = Status::kStalled;
+    set.message = why;
+  };
   // Compute the hull of support points, then of its corners alone.
   std::vector<Point> points = distinct(frame, support);
   ConvexHull hull = grow(oracle, frame, points, set.excess);
@@ -340,28 +336,19 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     points = corners(hull, frame, points);
     hull = convex_hull(local_points(frame, points));
   }
-  if (!hull.message.empty() || oracle.worst() != Status::kSolved) {
-    set.status = Status::kStalled;
-    set.message = hull.message.empty() ? "a linear program stalled" : hull.message;
-    return;
-  }
+  if (!hull.message.empty()) return stall(hull.message);
+  if (oracle.worst() != Status::kSolved) return stall("a linear program stalled");
   // Check that facets are certified.
-  if (!(set.excess <= kAcceptedExcess)) {
-    set.status = Status::kStalled;
-    set.message = "a facet of the hull could not be certified";
-    return;
-  }
+  if (!(set.excess <= kAcceptedExcess)) return stall("a facet of the hull could not be certified");
   // Write a polygon's corners in order, or a solid's facets as triangles.
   if (set.dimension == 2) sort_ring(frame, points);
   write_points(statics, balance, points, set);
   if (set.dimension == 3) {
     write_facets(balance, frame, hull, set);
     const HullCheck& check = hull.check;
-    if (closed(set.triangles) && check.closed &&
-        check.volume_error <= kVolumeDifference * check.volume)
-      return;
-    set.status = Status::kStalled;
-    set.message = "nearly flat facets leave a gap in the hull";
+    if (!(closed(set.triangles) && check.closed &&
+          check.volume_error <= kVolumeDifference * check.volume))
+      stall("nearly flat facets leave a gap in the hull");
     return;
   }
   std::vector<int> ring(points.size());
@@ -369,28 +356,13 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   add_fan(ring, set);
 }
 
-FeasibleForceSet empty_set(const TipStatics& statics, const internal::TipBalance& balance) {
-  const Index m = statics.R.rows();
-  return {Status::kSolved,
-          -1,
-          0.0,
-          Eigen::MatrixX3d(0, 3),
-          Eigen::MatrixX3i(0, 3),
-          Eigen::MatrixX3d(0, 3),
-          VectorXd(0),
-          MatrixXd(0, m),
-          MatrixXd(0, m),
-          balance.U.rightCols(3 - balance.rank),
-          0.0,
-          0.0,
-          ""};
-}
-
 }  // namespace
 
 FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   const internal::TipBalance balance = internal::tip_balance(statics);
-  FeasibleForceSet set = empty_set(statics, balance);
+  FeasibleForceSet set;
+  set.tension = set.activation = MatrixXd(0, statics.R.rows());
+  set.carried = balance.U.rightCols(3 - balance.rank);
 
   // Find the affine hull; an empty or unbounded set is detected here.
   SupportOracle oracle(balance);

@@ -13,10 +13,10 @@ namespace thenar {
 
 /// Feasible force set, conv(vertices) + span(carried).
 struct FeasibleForceSet {
-  Status status;  // read this first. kInfeasible: the set is empty; all members below are empty or
-                  // zero
-  int dimension;  // dimension of conv(vertices): 3, or 2 1 0 if flat, -1 if empty
-  double volume;  // volume of conv(vertices) [N^dimension], 1 for a point
+  Status status = Status::kSolved;  // read this first. kInfeasible: the set is empty; all members
+                                    // below are empty or zero
+  int dimension = -1;          // dimension of conv(vertices): 3, or 2 1 0 if flat, -1 if empty
+  double volume = 0;           // volume of conv(vertices) [N^dimension], 1 for a point
   Eigen::MatrixX3d vertices;   // corners; of a polygon in order [N] (k, 3)
   Eigen::MatrixX3i triangles;  // rows of vertices, counterclockwise from outside (l, 3)
   Eigen::MatrixX3d normals;    // outward, one per facet; empty unless dimension is 3 [1] (s, 3)
@@ -24,9 +24,9 @@ struct FeasibleForceSet {
   Eigen::MatrixXd tension;     // tensions that produce each vertex, not unique [N] (k, m)
   Eigen::MatrixXd activation;  // tension / F0, 0 where F0 is 0 [1] (k, m)
   Eigen::Matrix3Xd carried;    // directions that the skeleton carries alone, orthonormal [1] (3, c)
-  double excess;        // amount by which forces may exceed a facet, over the set's extent [1]
-  double imbalance;     // largest of |J' f - R' t - tau_0| at the vertices [N m]
-  std::string message;  // reason, if status is kStalled
+  double excess = 0;     // amount by which forces may exceed a facet, over the set's extent [1]
+  double imbalance = 0;  // largest of |J' f - R' t - tau_0| at the vertices [N m]
+  std::string message;   // reason, if status is kStalled
 };
 
 /// Computes the feasible force set { f : J' f = R' t + tau_0, 0 <= t <= F0 } of a pinned tip,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "data/io/toml_node.h"
@@ -82,12 +83,12 @@ Eigen::VectorXd angles_of_pinch(const TendonDigit& digit, const PinchLosses& los
 TipStatics blocked(TipStatics statics, const PinchLosses& losses, const NerveBlock& block,
                    const std::vector<std::string>& muscles) {
   for (const auto& [muscle, left] : block.left) {
-    const auto at = std::find(muscles.begin(), muscles.end(), muscle);
-    if (at == muscles.end())
+    const int at = place_in(muscles, muscle);
+    if (at < 0)
       refuse(losses, block.line,
              fmt::format("the block of the {} nerve weakens '{}', which the digit has not",
                          block.nerve, muscle));
-    statics.max_tension[at - muscles.begin()] *= left;
+    statics.max_tension[at] *= left;
   }
   return statics;
 }

@@ -1,10 +1,9 @@
 #include "tendons/forces/tip_balance.h"
 
-#include <limits>
-
 #include <Eigen/SVD>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace thenar::internal {
 
@@ -30,8 +29,7 @@ void require_statics(const TipStatics& statics) {
 void require_tension(Eigen::Index tendons, const Eigen::Ref<const Eigen::VectorXd>& t) {
   require(tendons == t.size(), "R has {} tendons, t has {}", tendons, t.size());
   for (Eigen::Index i = 0; i < t.size(); ++i)
-    require(t(i) >= 0 && t(i) < std::numeric_limits<double>::infinity(),
-            "tendon {} cannot push: tension {} N", i, t(i));
+    require(t(i) >= 0 && t(i) < kInfinity, "tendon {} cannot push: tension {} N", i, t(i));
 }
 
 TipBalance tip_balance(const TipStatics& statics) {
@@ -71,6 +69,20 @@ TipBalance tip_balance(const TipStatics& statics) {
   balance.force_unit = force_size > 0 && tension_size > 0 ? tension_size / force_size : 1;
   balance.force_part *= balance.force_unit;
   return balance;
+}
+
+LinearProgram balance_program(const TipBalance& balance, const Eigen::MatrixXd& loads) {
+  const Eigen::Index k = loads.cols(), m = balance.upper.size();
+  LinearProgram program;
+  program.objective = Eigen::VectorXd::Zero(k + m);
+  program.A.resize(loads.rows(), k + m);
+  program.A << loads, balance.tension_part;
+  program.row_lower = program.row_upper = balance.constant;
+  program.lower = Eigen::VectorXd::Zero(k + m);
+  program.lower.head(k).setConstant(-kInfinity);
+  program.upper = Eigen::VectorXd::Constant(k + m, kInfinity);
+  program.upper.tail(m) = balance.upper;
+  return program;
 }
 
 Eigen::VectorXd tension(const TipBalance& balance, const Eigen::VectorXd& a) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "hand/tip_manipulability.h"
+#include "solvers/linear_program.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar::internal {
@@ -39,6 +40,12 @@ struct TipBalance {
 
 /// Builds the scaled balance.
 [[nodiscard]] TipBalance tip_balance(const TipStatics& statics);
+
+/// Builds the program of the balance under amounts of some loads, of either sign, and activations
+/// within their bounds:  loads x + tension_part a = constant.
+/// @param loads  torque rows of each load, scaled as `force_part` (n, k)
+[[nodiscard]] LinearProgram balance_program(const TipBalance& balance,
+                                            const Eigen::MatrixXd& loads);
 
 /// Computes the tensions t of the scaled activations `a`, clamped to their bounds.  a (m) [1],
 /// result (m) [N]

@@ -42,8 +42,6 @@ class Bounds : public Contraction {
  public:
   using Contraction::Contraction;
   [[nodiscard]] Muscle rung() const override { return Muscle::kBounds; }
-  [[nodiscard]] bool depends_on_velocity() const override { return false; }
-  [[nodiscard]] bool has_fibre_state() const override { return false; }
   [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may go below 0
   }
@@ -51,9 +49,6 @@ class Bounds : public Contraction {
                                                        const MuscleState& state) const override {
     return {state.activation < 0 ? 0 : muscle(m).F0, 0, 0, 0};
   }
-  [[nodiscard]] double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  [[nodiscard]] double isometric_projected_fibre(int, double, double) const override { return 0; }
-  [[nodiscard]] double fibre(int, const MuscleState&) const override { return 0; }
 };
 
 /// Tension law of an elastic tendon beside a constant base tension.
@@ -78,7 +73,6 @@ class ElasticTendon : public Contraction {
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
       : Contraction(std::move(muscles)), options_(options) {}
   [[nodiscard]] Muscle rung() const override { return Muscle::kElasticTendon; }
-  [[nodiscard]] bool depends_on_velocity() const override { return false; }
   [[nodiscard]] bool has_fibre_state() const override { return true; }
   [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return elastic_tendon_tension(muscle(m), options_, state.length, state.projected_fibre);
@@ -118,7 +112,6 @@ class RigidTendon : public Contraction {
       : Contraction(std::move(muscles)), options_(options) {}
   [[nodiscard]] Muscle rung() const override { return Muscle::kRigidTendon; }
   [[nodiscard]] bool depends_on_velocity() const override { return true; }
-  [[nodiscard]] bool has_fibre_state() const override { return false; }
   [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
                                 state.velocity);
@@ -131,8 +124,6 @@ class RigidTendon : public Contraction {
   [[nodiscard]] std::unique_ptr<TensionSolver> tension_solver() const override {
     return rigid_tensions(muscles(), options_);
   }
-  [[nodiscard]] double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  [[nodiscard]] double isometric_projected_fibre(int, double, double) const override { return 0; }
   [[nodiscard]] double fibre(int m, const MuscleState& state) const override {
     return normalised_fibre_length(muscle(m), state.length - muscle(m).slack);
   }

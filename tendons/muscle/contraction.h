@@ -61,10 +61,10 @@ class Contraction {
   [[nodiscard]] virtual Muscle rung() const = 0;
 
   /// Returns whether tension depends on velocity.
-  [[nodiscard]] virtual bool depends_on_velocity() const = 0;
+  [[nodiscard]] virtual bool depends_on_velocity() const { return false; }
 
   /// Returns whether the projected length of the fibres is a state.
-  [[nodiscard]] virtual bool has_fibre_state() const = 0;
+  [[nodiscard]] virtual bool has_fibre_state() const { return false; }
 
   /// Computes the tension of muscle m, >= 0 [N].
   [[nodiscard]] virtual double tension(int m, const MuscleState& state) const = 0;
@@ -74,7 +74,9 @@ class Contraction {
   [[nodiscard]] virtual std::unique_ptr<TensionSolver> tension_solver() const;
 
   /// Computes the rate of projected_fibre of muscle m [m/s]; 0 where it is not a state.
-  [[nodiscard]] virtual double projected_fibre_rate(int m, const MuscleState& state) const = 0;
+  [[nodiscard]] virtual double projected_fibre_rate(int /*m*/, const MuscleState& /*state*/) const {
+    return 0;
+  }
 
   /// Computes the partial derivatives of tension() by the state of muscle m.
   [[nodiscard]] virtual TensionDerivatives tension_derivatives(int m,
@@ -89,8 +91,10 @@ class Contraction {
 
   /// Computes the projected fibre length of muscle m in equilibrium at zero velocity [m]; 0 where
   /// it is not a state.
-  [[nodiscard]] virtual double isometric_projected_fibre(int m, double activation,
-                                                         double length) const = 0;
+  [[nodiscard]] virtual double isometric_projected_fibre(int /*m*/, double /*activation*/,
+                                                         double /*length*/) const {
+    return 0;
+  }
 
   /// Returns the same fibres on a short tendon, as long as a fibre, that stretches by `strain` at
   /// F0, so that tension is a function of states alone; null where tension does not depend on
@@ -108,7 +112,7 @@ class Contraction {
   }
 
   /// Computes fibre length over optimal fibre length [1]; 0 in a model without fibres.
-  [[nodiscard]] virtual double fibre(int m, const MuscleState& state) const = 0;
+  [[nodiscard]] virtual double fibre(int /*m*/, const MuscleState& /*state*/) const { return 0; }
 
  protected:
   [[nodiscard]] const Musculotendon& muscle(int m) const { return muscles_[m]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/time_table.h"
 
 namespace thenar {
@@ -67,7 +68,6 @@ Excitation parse_excitation(const std::string& text, const std::string& path,
                                                       static_cast<Eigen::Index>(muscles.size()))};
   // Copy the columns in the order of the muscles; those without a column stay 0.
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const auto found = std::find(muscles.begin(), muscles.end(), table.columns[i]);
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(i));
     for (Eigen::Index k = 0; k < column.size(); ++k)
       if (column[k] < 0 || column[k] > max_value)
@@ -75,7 +75,7 @@ Excitation parse_excitation(const std::string& text, const std::string& path,
                         max_value == 1
                             ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
                             : fmt::format("wanted a tension >= 0, got {}", column[k]));
-    result.value.col(found - muscles.begin()) = column;
+    result.value.col(place_in(muscles, table.columns[i])) = column;
   }
   return result;
 }

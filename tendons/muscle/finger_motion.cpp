@@ -196,7 +196,8 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
   rate.q = state.q_dot;
   rate.q_dot = multibody_.forward_dynamics({state.q, state.q_dot}, tau, {model_.gravity, {}});
   for (int m = 0; m < excitation.size(); ++m) {
-    rate.activation[m] = activation_rate(excitation[m], state.activation[m], model_.activation);
+    rate.activation[m] =
+        activation_rate(excitation[m], state.activation[m], model_.activation).rate;
     if (rate.projected_fibre.size() > 0)
       rate.projected_fibre[m] =
           contraction().projected_fibre_rate(m, muscle_state(state, now.excursion, m));
@@ -393,7 +394,7 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   MatrixXd J = MatrixXd::Zero(size, size);
   for (Index i = 0; i < m; ++i)
     J(a + i, a + i) =
-        activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
+        activation_rate(excitation[i], state.activation[i], model_.activation).by_activation;
   MatrixXd tau_y = on_tendons_ ? jacobian_on_tendons(state, now, J) : state_jacobian(state, now, J);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();

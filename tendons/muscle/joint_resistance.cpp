@@ -14,17 +14,6 @@ double excess_angle(const CoordinateLimits& limits, double angle) {
   return angle - std::clamp(angle, limits.lower, limits.upper);
 }
 
-double limit_torque(const JointResistance& stop, double d) {
-  const double size = std::abs(d);
-  const double torque = size < stop.toe ? stop.stiffness * size * size / (2 * stop.toe)
-                                        : stop.stiffness * (size - stop.toe / 2);
-  return d > 0 ? -torque : torque;
-}
-
-double limit_derivative(const JointResistance& stop, double d) {
-  return -stop.stiffness * std::min(std::abs(d) / stop.toe, 1.0);
-}
-
 double limit_energy(const JointResistance& stop, double d) {
   const double toe = stop.toe, size = std::abs(d);
   if (size < toe) return stop.stiffness * size * size * size / (6 * toe);
@@ -35,12 +24,17 @@ double limit_energy(const JointResistance& stop, double d) {
 
 double stop_torque(const JointResistance& resistance, const CoordinateLimits& limits,
                    double angle) {
-  return limit_torque(resistance, excess_angle(limits, angle));
+  const double d = excess_angle(limits, angle), size = std::abs(d);
+  const double torque = size < resistance.toe
+                            ? resistance.stiffness * size * size / (2 * resistance.toe)
+                            : resistance.stiffness * (size - resistance.toe / 2);
+  return d > 0 ? -torque : torque;
 }
 
 double stop_derivative(const JointResistance& resistance, const CoordinateLimits& limits,
                        double angle) {
-  return limit_derivative(resistance, excess_angle(limits, angle));
+  const double size = std::abs(excess_angle(limits, angle));
+  return -resistance.stiffness * std::min(size / resistance.toe, 1.0);
 }
 
 VectorXd resistance_torque(const Skeleton& skeleton, const JointResistance& resistance,

@@ -173,23 +173,13 @@ double isometric_projected_fibre(const Musculotendon& muscle, const HillOptions&
   return low;
 }
 
-ActivationRate activation_rate_with_slope(double excitation, double activation,
-                                          const ActivationTimes& times) {
+ActivationRate activation_rate(double excitation, double activation, const ActivationTimes& times) {
   const double wanted = excitation - activation, speed = 0.5 + 1.5 * activation;
   if (wanted > 0) {
     const double inverse = 1 / (times.rise * speed), rate = wanted * inverse;
     return {rate, -(1 + 1.5 * times.rise * rate) * inverse};
   }
   return {wanted * speed / times.fall, (1.5 * wanted - speed) / times.fall};
-}
-
-double activation_rate(double excitation, double activation, const ActivationTimes& times) {
-  return activation_rate_with_slope(excitation, activation, times).rate;
-}
-
-double activation_rate_derivative(double excitation, double activation,
-                                  const ActivationTimes& times) {
-  return activation_rate_with_slope(excitation, activation, times).by_activation;
 }
 
 }  // namespace thenar

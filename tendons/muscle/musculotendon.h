@@ -117,26 +117,17 @@ struct ActivationTimes {
   double fall = 0.050;  // time constant of falling activation [s]
 };
 
+/// Rate of activation with its derivative.
+struct ActivationRate {
+  double rate;           // [1/s]
+  double by_activation;  // [1/s]; at a = e, where the rate has a corner, of the branch of falling
+                         // activation
+};
 /// Computes the rate of activation a under excitation e:
 ///   a' = (e - a) / (rise (0.5 + 1.5 a))   where e > a,
 ///   a' = (e - a) (0.5 + 1.5 a) / fall     elsewhere.
 /// Keeps a within the range of e, so within 0..1. Source: [Thelen2003].
-/// @return [1/s]
-[[nodiscard]] double activation_rate(double excitation, double activation,
-                                     const ActivationTimes& times);
-
-/// Rate of activation with its derivative.
-struct ActivationRate {
-  double rate;           // [1/s]
-  double by_activation;  // [1/s]
-};
-/// Computes activation_rate() and activation_rate_derivative() together.
-[[nodiscard]] ActivationRate activation_rate_with_slope(double excitation, double activation,
-                                                        const ActivationTimes& times);
-
-/// Computes d activation_rate / d activation [1/s]; at a = e, where the rate has a corner, the
-/// derivative of the branch of falling activation.
-[[nodiscard]] double activation_rate_derivative(double excitation, double activation,
-                                                const ActivationTimes& times);
+[[nodiscard]] ActivationRate activation_rate(double excitation, double activation,
+                                             const ActivationTimes& times);
 
 }  // namespace thenar

@@ -12,11 +12,6 @@ using Eigen::Vector3d;
 
 constexpr int kCourseSteps = 12;  // number of pieces of a band's arc on the bone
 
-/// Computes the angle about z from `side` to p, in (-pi, pi].
-double angle_from(const Vector3d& side, const Vector3d& p) {
-  return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
-}
-
 /// Computes a point of the arc between the touch points, in the surface's frame: on a helix over
 /// `side`, or a great circle. @param part  0..1
 Vector3d arc_point(const BoneSurface& surface, const Vector3d& side, const WrappedString& chord,

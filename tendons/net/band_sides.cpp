@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar {
 namespace {
@@ -35,7 +36,7 @@ struct SideView {
   [[nodiscard]] double angle_of(const NetNode& node, const VectorXd& q) const {
     const TreeState<double> state = pose_tree(skeleton.tree, q);
     const Vector3d p = surface_pose(surface, state).inverse() * moved(state, node.link, node.p);
-    return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
+    return angle_from(side, p);
   }
 };
 
@@ -57,15 +58,13 @@ void add_turn(const SideView& view, const NetNode& node, int coordinate, double 
 /// it and the cylinder. Joints without a range do not move.
 void add_angles(const SideView& view, const NetNode& node, AngleSpan& span) {
   span.add(view.angle_of(node, view.straight));
-  for (int a = node.link, b = view.surface.link; a != b;) {
-    int& deeper = a > b ? a : b;
-    const Hinge<double>& hinge = view.skeleton.tree[deeper];
-    const CoordinateLimits& limits = view.skeleton.limits[hinge.coordinate];
+  const Tree<double>& tree = view.skeleton.tree;
+  for_each_hinge_between(tree, node.link, view.surface.link, [&](int i, bool /*on_surface*/) {
+    const CoordinateLimits& limits = view.skeleton.limits[tree[i].coordinate];
     if (limits.upper - limits.lower < 2 * kPi - 1e-9)
       for (const double end : {limits.lower, limits.upper})
-        add_turn(view, node, hinge.coordinate, end, span);
-    deeper = hinge.parent;
-  }
+        add_turn(view, node, tree[i].coordinate, end, span);
+  });
 }
 
 }  // namespace

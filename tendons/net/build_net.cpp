@@ -56,10 +56,8 @@ class NetBuilder {
     centre_sides(digit_.skeleton, built_.frame.straight, built_.net);
     // Look up the bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
-      std::vector<int> bands;
-      bands.reserve(names.size());
-      for (const std::string& name : names) bands.push_back(place_named(plan.bands, name));
-      return bands;
+      return transformed(names,
+                         [&](const std::string& name) { return place_named(plan.bands, name); });
     };
     built_.central = slip(plan.slips.central);
     built_.radial = slip(plan.slips.radial);
@@ -72,10 +70,10 @@ class NetBuilder {
 
  private:
   /// Returns the point of the first of these strands that the subject has.
-  [[nodiscard]] std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
+  [[nodiscard]] std::optional<PathNode<double>> strand_point(const StrandPoint& at) const {
     const Strand* strand = find_strand(subject_, digit_, at.strands);
     if (strand == nullptr) return std::nullopt;
-    const std::vector<CarriedPoint> points = carried_points(digit_.skeleton, *strand);
+    const TendonPath<double> points = carried_points(digit_.skeleton, *strand);
     const int n = static_cast<int>(points.size()), k = at.point < 0 ? n + at.point : at.point;
     require(k >= 0 && k < n, "net '{}' asks for point {} of strand '{}', which has {}", plan_.name,
             at.point, strand->name, n);
@@ -85,9 +83,10 @@ class NetBuilder {
   /// Adds a node.
   void add_node(const NetNodePlan& plan) {
     // Choose a point of a strand if the subject has it, otherwise its place on the bone.
-    const CarriedPoint at = strand_point(plan.strand)
-                                .value_or(CarriedPoint{built_.frame.bone(plan.place.bone).link,
-                                                       place_position(built_.frame, plan.place)});
+    const PathNode<double> at =
+        strand_point(plan.strand)
+            .value_or(PathNode<double>{built_.frame.bone(plan.place.bone).link,
+                                       place_position(built_.frame, plan.place)});
     NetNode node{plan.name, plan.floating, at.link, at.p, {}};
     for (const std::string& surface : plan.surfaces)
       node.surfaces.push_back(place_named(built_.net.surfaces, surface));
@@ -144,14 +143,13 @@ class NetBuilder {
     const NetPullPlan& first = role.pulls.front();
     const bool place = first.exit_place && first.exit.strands.empty();
     if (place) {  // the strand's points on that bone are then left out
-      const CarriedPoint exit = exit_of(first);
-      path.push_back({exit.link, exit.p});
+      path.push_back(exit_of(first));
     }
     // Append points of its strand from there towards the wrist.
-    for (const CarriedPoint& point : carried_points(digit_.skeleton, strand))
+    for (const PathNode<double>& point : carried_points(digit_.skeleton, strand))
       if ((!path.empty() || is_proximal_to(point.link, bone)) &&
           !(place && (point.link == bone.link || !is_proximal_to(point.link, bone))))
-        path.push_back({point.link, point.p});
+        path.push_back(point);
     require(!path.empty(),
             "net '{}' needs a point of strand '{}' of subject '{}' on segment '{}' or nearer to "
             "the wrist",
@@ -175,8 +173,7 @@ class NetBuilder {
     // Sum the stated shares, without pulls that others relay.
     double stated = 0;
     for (const NetPullPlan& pull : role.pulls) stated += pull.relayed ? 0 : pull.share;
-    const auto& names = digit_.names.muscles;
-    const int m = static_cast<int>(std::find(names.begin(), names.end(), muscle) - names.begin());
+    const int m = place_in(digit_.names.muscles, muscle);
     const double to_net = share_of(role, muscle, stated);
     // Leave out a muscle that does not enter the net.
     if (to_net <= 0) return;
@@ -189,19 +186,18 @@ class NetBuilder {
 
   /// Returns the exit of a pull without a strand point: its own place, or the end of the muscle's
   /// path.
-  [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
+  [[nodiscard]] PathNode<double> exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
               place_position(built_.frame, *plan.exit_place)};
-    const PathNode<double>& end = built_.muscles.back().own_path.front();
-    return {end.link, end.p};
+    return built_.muscles.back().own_path.front();
   }
 
   /// Adds a pull: a band from a node to the exit.
   void add_pull(const NetPullPlan& plan, int muscle, double share, const std::string& name) {
     Net& net = built_.net;
     // Place a fixed node at the exit as the muscle's end of the band.
-    const CarriedPoint exit = strand_point(plan.exit).value_or(exit_of(plan));
+    const PathNode<double> exit = strand_point(plan.exit).value_or(exit_of(plan));
     NetBand band;
     band.name = name;
     band.a = place_named(net.nodes, plan.node);
@@ -254,18 +250,6 @@ constexpr double kMaxLoadRatio = 3;
 constexpr double kMaxSlackStrainError = 1e-5;
 
 /// Returns the index of a named part. @throws InputError listing the parts of the net
-template <typename Part>
-int require_index(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
-                  const std::string& net) {
-  const int found = place_named(parts, name);
-  std::vector<std::string> names;
-  names.reserve(parts.size());
-  for (const Part& part : parts) names.push_back(part.name);
-  require(found >= 0, "net '{}' has no {} '{}'; there are {}", net, kind, name,
-          fmt::join(names, ", "));
-  return found;
-}
-
 }  // namespace
 
 // NOLINTNEXTLINE(misc-no-recursion): one level, for straight lines
@@ -319,18 +303,17 @@ BuiltNet cut(const BuiltNet& built, const std::string& band) {
   BuiltNet left = built;
   left.net.bands.erase(left.net.bands.begin() + gone);
   for (std::vector<int>* slip : {&left.central, &left.radial, &left.ulnar, &left.terminal}) {
-    slip->erase(std::remove(slip->begin(), slip->end(), gone), slip->end());
+    erase_where(*slip, [&](int b) { return b == gone; });
     for (int& b : *slip) b -= b > gone ? 1 : 0;
   }
   return left;
 }
 
 int band_index(const Net& net, const std::string& name) {
-  return require_index(net.bands, name, "band", net.name);
-}
-
-int node_index(const Net& net, const std::string& name) {
-  return require_index(net.nodes, name, "node", net.name);
+  const int found = place_named(net.bands, name);
+  require(found >= 0, "net '{}' has no band '{}'; there are {}", net.name, name,
+          fmt::join(transformed(net.bands, [](const NetBand& band) { return band.name; }), ", "));
+  return found;
 }
 
 }  // namespace thenar

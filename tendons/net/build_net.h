@@ -72,7 +72,4 @@ struct BuiltNet {
 /// Returns the index of a band. @throws InputError listing the bands of the net.
 [[nodiscard]] int band_index(const Net& net, const std::string& name);
 
-/// Returns the index of a node. @throws InputError listing the nodes of the net.
-[[nodiscard]] int node_index(const Net& net, const std::string& name);
-
 }  // namespace thenar

@@ -1,7 +1,5 @@
 #include "tendons/net/build_tendons.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "base/lists.h"
 #include "tendons/linear_tendons.h"
@@ -14,7 +12,6 @@ namespace {
 /// Maps the coordinates of a digit with all joints free to the same digit with frozen joints; empty
 /// if a joint is frozen there without the joint that it follows.
 std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
-  const auto& names = digit.names.coordinates;
   for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {
     const std::string& leader = whole.names.coordinates[whole.model.tree[i].coordinate];
     if (digit.skeleton.frozen.count(whole.names.hinges[i]) > 0 &&
@@ -24,11 +21,9 @@ std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit&
   std::vector<PostureAngle> angles;
   for (const std::string& joint : whole.names.coordinates) {
     const auto frozen = digit.skeleton.frozen.find(joint);
-    if (frozen != digit.skeleton.frozen.end())
-      angles.push_back({-1, 0, frozen->second});
-    else
-      angles.push_back(
-          {static_cast<int>(std::find(names.begin(), names.end(), joint) - names.begin()), 1, 0});
+    angles.push_back(frozen != digit.skeleton.frozen.end()
+                         ? PostureAngle{-1, 0, frozen->second}
+                         : PostureAngle{place_in(digit.names.coordinates, joint), 1, 0});
   }
   return angles;
 }
@@ -38,7 +33,7 @@ std::vector<std::string> pulling_muscles(const TendonDigit& digit,
                                          const NetDescription& description) {
   std::vector<std::string> pulling;
   for (const NetMusclePlan& role : description.muscles)
-    for (const std::string& muscle : muscles_of(digit, role)) pulling.push_back(muscle);
+    append_all(pulling, muscles_of(digit, role));
   return pulling;
 }
 
@@ -51,10 +46,8 @@ FreeFinger free_finger(const Subject& subject, const TendonDigit& digit,
   free.angles = angles_of(whole, digit);
   if (free.angles.empty()) return {};
   // Match the muscles by name.
-  const auto& names = digit.names.muscles;
-  for (const std::string& muscle : whole.names.muscles) {
-    free.muscles.push_back(place_in(names, muscle));
-  }
+  for (const std::string& muscle : whole.names.muscles)
+    free.muscles.push_back(place_in(digit.names.muscles, muscle));
   BuiltNet built = build_net(subject, whole, description, net);
   free.tendons = std::make_shared<NetTendons>(straight_tendons(std::move(whole)), std::move(built));
   return free;

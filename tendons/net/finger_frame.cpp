@@ -22,7 +22,7 @@ constexpr double kFlexionCosine = 0.7071;
 
 /// Straight run of a tendon across a joint.
 struct Run {
-  CarriedPoint distal, proximal;
+  PathNode<double> distal, proximal;
 };
 
 /// Point of an axis nearest to a run, and their distance.
@@ -47,8 +47,7 @@ class FrameBuilder {
   FrameBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& net)
       : subject_(subject), digit_(digit), net_(net), skeleton_(digit.skeleton) {
     // Find the digit, its flexion axis and its radial side.
-    for (const Digit& d : subject.digits)
-      if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
+    tip_digit_ = find_named(subject.digits, skeleton_.tips.front().digit);
     require(tip_digit_->name != "thumb", "net '{}' is for fingers and cannot be used for the thumb",
             net.name);
     flexion_ = tip_digit_->proximal.cross(tip_digit_->dorsal);
@@ -98,8 +97,8 @@ class FrameBuilder {
 
   /// Returns the place of a segment in the digit, counted from the base; -1: not in the digit.
   [[nodiscard]] int depth(const std::string& segment) const {
-    const auto found = std::find(chain_.begin(), chain_.end(), segment);
-    return found == chain_.end() ? -1 : static_cast<int>(chain_.end() - found);
+    const int place = place_in(chain_, segment);
+    return place < 0 ? -1 : static_cast<int>(chain_.size()) - place;
   }
 
   /// Returns the run of a strand across joint j, if it has one.
@@ -133,7 +132,7 @@ class FrameBuilder {
   }
 
   /// Poses a path point at the reference posture.
-  [[nodiscard]] CarriedPoint carried(const PathPoint& point) const {
+  [[nodiscard]] PathNode<double> carried(const PathPoint& point) const {
     return {skeleton_.link_of_segment.at(point.segment),
             skeleton_.segment_at.at(point.segment) * point.p};
   }
@@ -210,20 +209,19 @@ class FrameBuilder {
     frame_.straight = Eigen::VectorXd::Zero(skeleton_.coordinates());
     // Coupled joints have no coordinate of their own.
     for (std::size_t j = 0; j < 3; ++j) {
-      const auto& names = skeleton_.coordinate_names;
-      const auto found = std::find(names.begin(), names.end(), joint_[j]->name);
-      if (found == names.end()) continue;
+      const int place = place_in(skeleton_.coordinate_names, joint_[j]->name);
+      if (place < 0) continue;
       // Angle between the two bones about the joint's axis.
       const Vector3d d = axis(j), u = frame_.bones[j].along, v = frame_.bones[j + 1].along;
       const double bent = std::atan2(d.dot(u.cross(v)), u.dot(v) - d.dot(u) * d.dot(v));
-      frame_.straight[found - names.begin()] = -bent;
+      frame_.straight[place] = -bent;
     }
   }
 
   void set_height(std::size_t j, const TreeState<double>& state) {
     // Run and axis of the joint in the straight finger.
     Run run = extensor_run(j);
-    for (CarriedPoint* point : {&run.distal, &run.proximal})
+    for (PathNode<double>* point : {&run.distal, &run.proximal})
       point->p = moved(state, point->link, point->p);
     const int link = skeleton_.link_of_segment.at(joint_[j]->parent);
     const Vector3d at = moved(state, link, Vector3d(at_joint(j) * joint_[j]->point));
@@ -298,16 +296,6 @@ Vector3d place_position(const FingerFrame& frame, const NetPlace& place) {
   const FingerBone& bone = frame.bone(place.bone);
   return bone.proximal + place.along * (bone.distal - bone.proximal) +
          height_ratio(bone, place.along) * place.height * direction_around(bone, place.angle);
-}
-
-std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand& strand) {
-  std::vector<CarriedPoint> points;
-  for (const PathPoint& point : strand.path) {
-    const auto link = skeleton.link_of_segment.find(point.segment);
-    if (link == skeleton.link_of_segment.end() || !point.surface.empty()) continue;
-    points.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
-  }
-  return points;
 }
 
 const Strand& pulled_strand(const Subject& subject, const std::string& muscle) {

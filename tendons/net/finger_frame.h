@@ -64,16 +64,6 @@ struct FingerFrame {
 /// Computes the unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).
 [[nodiscard]] Eigen::Vector3d direction_around(const FingerBone& bone, double angle);
 
-/// Path point of the subject, as the skeleton carries it at the reference posture.
-struct CarriedPoint {
-  int link;
-  Eigen::Vector3d p;  // position [m] (3)
-};
-
-/// Returns every path point whose segment is kept, from insertion to origin.
-[[nodiscard]] std::vector<CarriedPoint> carried_points(const Skeleton& skeleton,
-                                                       const Strand& strand);
-
 /// Returns the strand that a muscle of the subject pulls. @throws InputError if there is none.
 [[nodiscard]] const Strand& pulled_strand(const Subject& subject, const std::string& muscle);
 

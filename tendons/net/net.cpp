@@ -105,4 +105,11 @@ void check_state(const Net& net, const TreeState<double>& state) {
             "the pose of link {} is not finite", i);
 }
 
+void check_start(const Net& net, const Eigen::Matrix3Xd* start) {
+  if (start == nullptr) return;
+  require(start->cols() == static_cast<Eigen::Index>(net.nodes.size()),
+          "net {} has {} nodes, start has {}", net.name, net.nodes.size(), start->cols());
+  require(start->allFinite(), "net {}: start is not finite", net.name);
+}
+
 }  // namespace thenar

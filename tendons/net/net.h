@@ -81,4 +81,8 @@ void check_drive(const Net& net, const NetDrive& drive);
 /// @throws InputError if the net is fixed to more links than `state` has, or a pose is not finite.
 void check_state(const Net& net, const TreeState<double>& state);
 
+/// Checks initial nodes, if there are any.
+/// @throws InputError if they are not as many as the net's, or not finite.
+void check_start(const Net& net, const Eigen::Matrix3Xd* start);
+
 }  // namespace thenar

@@ -60,8 +60,6 @@ void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* s
   next_.x = here_.x;
 }
 
-void NetDescent::accept() { std::swap(here_, next_); }
-
 void NetDescent::measure(Place& at) {
   evaluate(plan_, scene_, at.x, at.E);
   ++evaluations_;
@@ -415,7 +413,7 @@ bool NetDescent::line_search() {
     // Test Armijo's condition, up to rounding.
     if (possible && next_.E.energy <= here_.E.energy + 1e-4 * std::min(slope, 0.0) + noise) {
       // Accept, and update the trust radius.
-      accept();
+      std::swap(here_, next_);
       if (part < 0.3)
         radius_ =
             std::max({2 * part * largest_move_, 0.1 * std::min(largest_move_, radius_), 1e-7});

@@ -44,7 +44,6 @@ class NetDescent {
   // Placement of the nodes, and descent to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
-  void accept();
   void measure(Place& at);
   NetStatus descend(int patience);
   NetStatus settle(const TreeState<double>& state, const NetDrive& drive,

@@ -272,10 +272,7 @@ NetFrictionRest solve_net_friction(const Net& net, const TreeState<double>& stat
   check_net(smooth);
   check_drive(smooth, drive);
   check_state(smooth, state);
-  const auto nodes = static_cast<Eigen::Index>(net.nodes.size());
-  require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
-          nodes, start ? start->cols() : 0);
-  require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
+  check_start(net, start);
   return FrictionRounds(net, state, drive, start, options).run();
 }
 

@@ -21,8 +21,8 @@ namespace thenar {
 /// Computes the energy stored in the passive bands [J]; bands of muscles store none.
 [[nodiscard]] double strain_energy(const Net& net, const NetEquilibrium& rest);
 
-/// Computes the wrenches on all links that the net touches, the base included. They sum to zero
-/// except for the forces on the exits of muscles given by tension, whose bodies are links as well.
+/// Computes the wrenches of the net on all links, the base first. They sum to zero except for the
+/// forces on the exits of muscles given by tension, whose bodies are links as well.
 [[nodiscard]] std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
                                                    const NetEquilibrium& rest);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tendons/net/net_descent.h"
 
@@ -105,7 +106,7 @@ bool NetDescent::leave_saddle() {
     for (double way : {size, -size}) {
       double slope = 0;
       if (!try_step(way / longest, slope) || next_.E.energy > here_.E.energy - noise) continue;
-      accept();
+      std::swap(here_, next_);
       return true;
     }
   return false;

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "tendons/net/build_tendons.h"
-#include "tendons/net/net_statics.h"
 
 namespace thenar {
 namespace {
@@ -78,22 +77,6 @@ Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons, const Eigen::V
   const auto* with_net = dynamic_cast<const NetTendons*>(&tendons);
   if (with_net == nullptr) return {};
   return follow_from_straight(*with_net, q, t).rest.x;
-}
-
-double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, int coordinate) {
-  const Net& all = tendons.net().net;
-  const auto b = static_cast<std::size_t>(band);
-  require(b < all.bands.size(), "net '{}' has no band {}", all.name, band);
-  // Compute the torque of a net of this band alone under 1 N.
-  Net one = all;
-  one.bands = {all.bands[b]};
-  NetEquilibrium rest = point.rest;
-  rest.tension = Eigen::VectorXd::Ones(1);
-  rest.length = point.rest.length.segment<1>(band);
-  rest.contacts.clear();
-  const TendonModel<double>& model = tendons.digit().model;
-  return net_torque(one, model.tree, pose_tree(model.tree, point.q), rest,
-                    model.coordinates)[coordinate];
 }
 
 }  // namespace thenar

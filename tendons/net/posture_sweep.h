@@ -48,9 +48,4 @@ struct SweepPoint {
                                                    const Eigen::VectorXd& q,
                                                    const Eigen::VectorXd& t);
 
-/// Computes the moment arm of one band about a coordinate,  -dL/dq  at fixed floating nodes,
-/// flexion positive [m/rad].
-[[nodiscard]] double band_arm(const NetTendons& tendons, const SweepPoint& point, int band,
-                              int coordinate);
-
 }  // namespace thenar

@@ -45,10 +45,7 @@ NetEquilibrium NetSolver::solve(const TreeState<double>& state, const NetDrive& 
   const Net& net = work_->descent.plan().net;
   check_drive(net, drive);
   check_state(net, state);
-  const auto nodes = static_cast<Eigen::Index>(net.nodes.size());
-  require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
-          nodes, start ? start->cols() : 0);
-  require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
+  check_start(net, start);
   NetEquilibrium rest = work_->descent.run(state, drive, start);
   find_overstrained(net, rest);
   return rest;

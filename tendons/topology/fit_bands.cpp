@@ -51,18 +51,10 @@ FitResiduals BandFitter::residuals(const NetPrediction& forecast) const {
   return out;
 }
 
-Eigen::VectorXd BandFitter::min_stiffness() const {
-  Eigen::VectorXd s(typical_EA_.size());
-  for (Eigen::Index c = 0; c < s.size(); ++c)
-    s(c) = candidate().candidates[c].min_EA / typical_EA_(c);
-  return s;
-}
-
-Eigen::VectorXd BandFitter::max_stiffness() const {
-  Eigen::VectorXd s(typical_EA_.size());
-  for (Eigen::Index c = 0; c < s.size(); ++c)
-    s(c) = candidate().candidates[c].max_EA / typical_EA_(c);
-  return s;
+Eigen::VectorXd BandFitter::stiffness(double CandidateBand::*EA) const {
+  return Eigen::VectorXd::NullaryExpr(typical_EA_.size(), [&](Eigen::Index c) {
+    return candidate().candidates[c].*EA / typical_EA_(c);
+  });
 }
 
 BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,

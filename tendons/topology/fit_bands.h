@@ -56,8 +56,8 @@ class BandFitter {
               const Eigen::VectorXd& price = {});
 
   /// Initial stiffnesses: all bands at the s of their smallest or largest EA (candidates).
-  [[nodiscard]] Eigen::VectorXd min_stiffness() const;
-  [[nodiscard]] Eigen::VectorXd max_stiffness() const;
+  [[nodiscard]] Eigen::VectorXd min_stiffness() const { return stiffness(&CandidateBand::min_EA); }
+  [[nodiscard]] Eigen::VectorXd max_stiffness() const { return stiffness(&CandidateBand::max_EA); }
 
   /// Adds a record.
   void add(const TendonRecord& record);
@@ -71,6 +71,9 @@ class BandFitter {
   [[nodiscard]] long solves() const { return forward_.solves(); }
 
  private:
+  /// Returns one bound of each candidate's EA over its typical EA [1] (candidates).
+  [[nodiscard]] Eigen::VectorXd stiffness(double CandidateBand::*EA) const;
+
   enum class WarmStart { kKept, kNone };  // start of each net: the previous equilibrium, or none
   struct Followed {
     BandFit fit;

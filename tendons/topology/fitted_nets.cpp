@@ -112,6 +112,14 @@ double score(const FittedNet& net, double price) {
   return net.fit.misfit + price * std::count(net.bands.begin(), net.bands.end(), true);
 }
 
+std::vector<FittedNet> best_by_score(std::vector<FittedNet> nets, double price, std::size_t most) {
+  std::sort(nets.begin(), nets.end(), [&](const FittedNet& a, const FittedNet& b) {
+    return score(a, price) < score(b, price);
+  });
+  nets.resize(std::min(nets.size(), most));
+  return nets;
+}
+
 Topology flipped(Topology bands, int band) {
   bands[band] = !bands[band];
   return bands;

@@ -61,6 +61,10 @@ class FittedNets {
 /// Computes misfit + price * number of bands; infinite if the net does not hold.
 [[nodiscard]] double score(const FittedNet& net, double price);
 
+/// Returns at most `most` of the nets, those with the smallest scores, best first.
+[[nodiscard]] std::vector<FittedNet> best_by_score(std::vector<FittedNet> nets, double price,
+                                                   std::size_t most);
+
 /// Returns the topology with one band added or removed.
 [[nodiscard]] Topology flipped(Topology bands, int band);
 

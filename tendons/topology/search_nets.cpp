@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "base/enum_names.h"
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -54,16 +54,6 @@ Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
   return child;
 }
 
-/// Returns the nets with the best scores, best first.
-std::vector<FittedNet> survivors(std::vector<FittedNet> nets, const NetSearchOptions& options) {
-  std::sort(nets.begin(), nets.end(), [&](const FittedNet& a, const FittedNet& b) {
-    return score(a, options.price) < score(b, options.price);
-  });
-  if (nets.size() > static_cast<std::size_t>(options.population))
-    nets.resize(static_cast<std::size_t>(options.population));
-  return nets;
-}
-
 /// Fits the population to the records and evolves it.
 std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
                                 std::mt19937& random, const NetSearchOptions& options,
@@ -71,8 +61,6 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   // Fit the population to the records.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
-  // Limit that keeps all nets [1]
-  constexpr double kAllMisfits = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
   // Fit the children of survivors in each generation.
   for (int g = 0; g <= options.generations; ++g) {
@@ -81,7 +69,8 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
     // Descend at the end from a best net that noise does not explain.
     if (g == options.generations && !noise_explains(best.fit))
       descend(tried, best.bands, best.fit.s, options.price);
-    alive = survivors(tried.nets_within(kAllMisfits), options);
+    alive = best_by_score(tried.nets_within(kInfinity), options.price,
+                          static_cast<std::size_t>(options.population));
     if (g == options.generations || progress.stop()) break;
     for (int i = 0; i < options.children; ++i) {
       const Member child = child_of(alive, random);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -65,12 +66,9 @@ Selection select_bands(FittedNets& tried, const SelectOptions& options, const Pr
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
   // Sort all nets that carry the loads by Schwarz's criterion.
-  std::vector<FittedNet> starts = tried.nets_within(std::numeric_limits<double>::infinity());
+  const std::vector<FittedNet> starts =
+      best_by_score(tried.nets_within(kInfinity), price, kStopDescents);
   if (starts.empty()) return out;
-  std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
-    return score(a, price) < score(b, price);
-  });
-  starts.resize(std::min<std::size_t>(starts.size(), kStopDescents));
   // Descend from the best of them by single changes.
   for (const FittedNet& start : starts) {
     progress(part += 0.1 / kStopDescents, "changes of single bands");

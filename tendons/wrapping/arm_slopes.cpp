@@ -1,9 +1,10 @@
 #include "tendons/wrapping/arm_slopes.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -47,28 +48,23 @@ struct JointRotation {
 /// Adds the rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
 void add_span(const JointRotation& turn, const SpanRate& run, double scale, double scale_dot,
               Column column) {
-  int a = run.span->link_a, b = run.span->link_b;
-  if (a == b) return;
+  if (run.span->link_a == run.span->link_b) return;
   // Compute scaled direction and moment of the run's line, with their rates.
   const Vector3d u = scale * run.u.at, u_dot = scale * run.u.dot + scale_dot * run.u.at;
   const Vector3d m = run.span->a.cross(u), m_dot = run.a_dot.cross(u) + run.span->a.cross(u_dot);
   // Add the hinges on the two branches up to the common ancestor.
-  while (a != b) {
-    const bool climb_b = b > a;
-    const auto i = static_cast<std::size_t>(climb_b ? b : a);
+  for_each_hinge_between(turn.tree, run.span->link_a, run.span->link_b, [&](int i, bool on_b) {
     const auto& at = turn.state[i];
     const double pull = turn.rate.axis[i].dot(m - at.point.cross(u)) +
                         at.axis.dot(m_dot - turn.rate.point[i].cross(u) - at.point.cross(u_dot));
-    column[turn.tree[i].coordinate] += turn.tree[i].ratio * (climb_b ? -pull : pull);
-    (climb_b ? b : a) = turn.tree[i].parent;
-  }
+    column[turn.tree[i].coordinate] += turn.tree[i].ratio * (on_b ? -pull : pull);
+  });
 }
 
 /// Adds the rate of  w . dp/dq  of a point of a link.
 void add_motion(const JointRotation& turn, int link, const RatedVector& p, const RatedVector& w,
                 Column column) {
-  for_each_hinge_to_base(turn.tree, link, [&](int hinge) {
-    const auto i = static_cast<std::size_t>(hinge);
+  for_each_hinge_to_base(turn.tree, link, [&](int i) {
     const auto& at = turn.state[i];
     const Vector3d lever = p.at - at.point;
     column[turn.tree[i].coordinate] +=
@@ -201,26 +197,23 @@ void span_rates(const TreeVelocity& rate, const PathShape& shape,
 /// define their rotation.
 bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
-  for (const RunChain& chain : chains)
-    if (!chain.tangent.regular()) return false;
-  return std::all_of(shape.spans.begin(), shape.spans.end(), [](const PathSpan& span) {
-    return span.length > kShortRun || span.link_a == span.link_b;
-  });
+  return all_of(chains, [](const RunChain& chain) { return chain.tangent.regular(); }) &&
+         all_of(shape.spans, [](const PathSpan& span) {
+           return span.length > kShortRun || span.link_a == span.link_b;
+         });
 }
 
 /// Returns whether a coordinate turns a hinge between the ends of a run, without which it does not
 /// affect the path.
 bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate) {
-  for (const PathSpan& span : shape.spans) {
-    int a = span.link_a, b = span.link_b;
-    if (b == kRiding) return true;
-    while (a != b) {
-      const auto i = static_cast<std::size_t>(std::max(a, b));
-      if (tree[i].coordinate == coordinate) return true;
-      (b > a ? b : a) = tree[i].parent;
-    }
-  }
-  return false;
+  return any_of(shape.spans, [&](const PathSpan& span) {
+    bool found = span.link_b == kRiding;
+    if (!found)
+      for_each_hinge_between(tree, span.link_a, span.link_b, [&](int i, bool /*on_b*/) {
+        found = found || tree[i].coordinate == coordinate;
+      });
+    return found;
+  });
 }
 
 /// Computes the shortening rate of the carrier before the run on which the origin lies, -d(length

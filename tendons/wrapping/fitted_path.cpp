@@ -18,11 +18,8 @@ using Eigen::VectorXd;
 
 /// Adds the coordinates of the hinges between two links.
 void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed) {
-  while (a != b) {
-    const auto i = static_cast<std::size_t>(std::max(a, b));
-    crossed.insert(tree[i].coordinate);
-    (b > a ? b : a) = tree[i].parent;
-  }
+  for_each_hinge_between(tree, a, b,
+                         [&](int i, bool /*on_b*/) { crossed.insert(tree[i].coordinate); });
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): one level: a carrier does not ride

@@ -1,9 +1,5 @@
 #include "tendons/wrapping/path_arms.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 #include "base/error.h"
@@ -17,69 +13,42 @@ using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 /// Adds  w . dp/dq  of a point of a link to a row.
 void add_motion(const Tree<double>& tree, const TreeState<double>& state, int link,
                 const Vector3d& p, const Vector3d& w, Row row) {
-  for (int i = link; i >= 0; i = tree[i].parent) {
+  for_each_hinge_to_base(tree, link, [&](int i) {
     const auto& at = state[i];
-    const auto& hinge = tree[i];
-    row[hinge.coordinate] += hinge.ratio * w.dot(at.axis.cross(p - at.point));
-  }
+    row[tree[i].coordinate] += tree[i].ratio * w.dot(at.axis.cross(p - at.point));
+  });
 }
 
 /// Adds -dL/dq of one straight run: only hinges between its two links count.
 void add_span(const Tree<double>& tree, const TreeState<double>& state, const PathSpan& span,
               double scale, Row row) {
-  int a = span.link_a, b = span.link_b;
-  if (a == b) return;
+  if (span.link_a == span.link_b) return;
   // Compute direction and moment of the run's line.
   const Vector3d u = scale * span.u;
   const Vector3d moment = span.a.cross(u);
   // Climb both branches up to the common ancestor.
-  while (a != b) {
-    const bool climb_b = b > a;
-    const auto i = static_cast<std::size_t>(climb_b ? b : a);
+  for_each_hinge_between(tree, span.link_a, span.link_b, [&](int i, bool on_b) {
     const auto& at = state[i];
     const double pull = at.axis.dot(moment - at.point.cross(u));
-    row[tree[i].coordinate] += tree[i].ratio * (climb_b ? -pull : pull);
-    (climb_b ? b : a) = tree[i].parent;
-  }
-}
-
-/// Riding origin on its carrier.
-struct RidingOrigin {
-  const PathShape* carrier;
-  const PathSpan* span;  // span of the carrier
-  Vector3d p;            // position of the origin
-  Vector3d u;            // unit direction of the rider's last run, into the origin
-  Vector3d v;            // unit direction along the carrier towards its origin
-  double share;          // fraction of the span's length
-};
-RidingOrigin riding_origin(const PathSet& set, const std::vector<PathShape>& shapes,
-                           std::size_t path) {
-  const PathShape& rider = shapes[path];
-  RidingOrigin ride;
-  ride.carrier = &shapes[set.paths[path].carrier];
-  ride.span = &ride.carrier->spans[rider.ride_span];
-  ride.p = rider.spans.back().b;
-  ride.u = rider.spans.back().u;
-  ride.v = ride.span->u;
-  const double length = ride.span->length;
-  ride.share = length > 0 ? (ride.p - ride.span->a).dot(ride.v) / length : 0;
-  return ride;
+    row[tree[i].coordinate] += tree[i].ratio * (on_b ? -pull : pull);
+  });
 }
 
 /// Adds  -u . dx/dq  of an origin x that stays at a fixed distance from its carrier's insertion: dx
 /// = da + v (excursion before a) + share (1 - v v') (db - da).
 void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                 const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
-  const RidingOrigin ride = riding_origin(set, shapes, path);
+  // Find the carrier's span at the origin, and the fraction of its length up to there.
+  const PathShape &rider = shapes[path], &carrier = shapes[set.paths[path].carrier];
+  const PathSpan &last = rider.spans.back(), &span = carrier.spans[rider.ride_span];
+  const double share = span.length > 0 ? (last.b - span.a).dot(span.u) / span.length : 0;
   // Split the pull into the part along the carrier and the rest across it.
-  const double along = ride.u.dot(ride.v);
-  const Vector3d across = ride.u - along * ride.v;
-  add_motion(tree, state, ride.span->link_a, ride.span->a,
-             -along * ride.v - (1 - ride.share) * across, row);
-  add_motion(tree, state, ride.span->link_b, ride.span->b, -ride.share * across, row);
+  const double along = last.u.dot(span.u);
+  const Vector3d across = last.u - along * span.u;
+  add_motion(tree, state, span.link_a, span.a, -along * span.u - (1 - share) * across, row);
+  add_motion(tree, state, span.link_b, span.b, -share * across, row);
   // Add the part along the carrier, which shortens with that tendon.
-  for (const PathSpan* span = ride.carrier->spans.data(); span != ride.span; ++span)
-    add_span(tree, state, *span, -along, row);
+  for (int k = 0; k < rider.ride_span; ++k) add_span(tree, state, carrier.spans[k], -along, row);
 }
 
 /// Adds the moment arms of a whole path to a row.
@@ -94,102 +63,6 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
     add_motion(tree, state, span.link_a, span.a, span.u, row);
     add_riding(tree, state, set, shapes, path, row);
   }
-}
-
-/// Sum of wrenches by link.
-class PathWrenches {
- public:
-  void add(int link, const Vector3d& at, const Vector3d& f) { add(link, wrench_of_force(at, f)); }
-  void add(int link, const Wrench& wrench) {
-    // Add to the link's sum, or start one.
-    for (LinkWrench& sum : all)
-      if (sum.link == link) {
-        sum.wrench += wrench;
-        return;
-      }
-    all.push_back({link, wrench});
-  }
-  std::vector<LinkWrench> all;
-};
-
-using Spatial = Eigen::Matrix<double, 6, 1>;
-
-/// Integrates the pressure of an arc in frame S between two lengths along it, by five-point Gauss
-/// quadrature.
-Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to) {
-  static constexpr std::array<double, 3> kAt{0.0, 0.538469310105683091, 0.906179845938663993};
-  static constexpr std::array<double, 3> kWeight{0.568888888888888889, 0.478628670499366468,
-                                                 0.236926885056189088};
-  // Sum over Gauss points: the force per length is tension times curvature.
-  Spatial sum = Spatial::Zero();
-  for (int i = -2; i <= 2; ++i) {
-    const auto k = static_cast<std::size_t>(std::abs(i));
-    const double s = 0.5 * (from + to) + 0.5 * (to - from) * (i < 0 ? -kAt[k] : kAt[k]);
-    const SurfaceRay ray = follow_geodesic(surface, arc.start, s).ray;
-    const SurfaceCurvature at = surface_curvature(surface, ray.p);
-    const Vector3d f = -ray.t.dot(at.S * ray.t) * at.n;
-    sum.head<3>() += 0.5 * (to - from) * kWeight[k] * ray.p.cross(f);
-    sum.tail<3>() += 0.5 * (to - from) * kWeight[k] * f;
-  }
-  return sum;
-}
-
-/// Integrates the pressure by halving the arc until the quadrature converges: it jumps at the seams
-/// of a capsule.
-// NOLINTNEXTLINE(misc-no-recursion): at most `depth` deep
-Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
-                       const Spatial& coarse, int depth) {
-  // Compare two halves with the whole.
-  const double half = 0.5 * (from + to);
-  const Spatial left = pressure(surface, arc, from, half), right = pressure(surface, arc, half, to);
-  const double change = (left + right - coarse).lpNorm<Eigen::Infinity>();
-  if (change < 1e-15 || depth == 0) return left + right;
-  return whole_pressure(surface, arc, from, half, left, depth - 1) +
-         whole_pressure(surface, arc, half, to, right, depth - 1);
-}
-
-/// Adds the wrench of one arc under a tension.
-void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
-             PathWrenches& wrenches) {
-  // Integrate the pressure of the arc, in the frame of its surface.
-  const BoneSurface& surface = set.surfaces[arc.surface];
-  const double length = arc.arc.length;
-  const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
-                                             pressure(surface, arc.arc, 0, length), 40);
-  // Transform it to the world, on the link that carries the surface.
-  const Pose<double> X = surface_pose(surface, state);
-  const Vector3d f = X.R * w.tail<3>();
-  wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
-}
-
-/// First runs of a tendon.
-struct PathPart {
-  const PathShape& shape;
-  std::size_t spans;  // number of runs
-  bool cut;           // true: the last of them has a free end
-};
-
-/// Adds the wrenches of a part of a tendon under a tension.
-void add_part(const TreeState<double>& state, const PathSet& set, const PathPart& part,
-              double tension, PathWrenches& wrenches) {
-  const auto& [shape, spans, cut] = part;
-  const std::vector<PathArc>& arcs = shape.arcs;
-  const auto touches = [&](std::size_t span, bool end) {  // true: an arc begins or ends there
-    return std::any_of(arcs.begin(), arcs.end(), [&](const PathArc& arc) {
-      return arc.after == static_cast<int>(span) - (end ? 0 : 1);
-    });
-  };
-  // Pull the ends of spans that are fixed points along the span.
-  for (std::size_t s = 0; s < spans; ++s) {
-    const PathSpan& span = shape.spans[s];
-    const Vector3d pull = tension * span.u;
-    if (!touches(s, false)) wrenches.add(span.link_a, span.a, pull);
-    if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
-      wrenches.add(span.link_b, span.b, -pull);
-  }
-  // Add the pressure of arcs within the part.
-  for (const PathArc& arc : arcs)
-    if (arc.after + 1 < static_cast<int>(spans)) add_arc(state, set, arc, tension, wrenches);
 }
 
 }  // namespace
@@ -212,32 +85,6 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
     R.row(rows[k]).setZero();
     add_path(tree, state, set, shapes, k, R.row(rows[k]));
   }
-}
-
-std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
-                                      const std::vector<PathShape>& shapes, std::size_t path) {
-  // Add the wrenches of the tendon itself.
-  PathWrenches wrenches;
-  add_part(state, set, {shapes[path], shapes[path].spans.size(), /*cut=*/false}, 1, wrenches);
-  if (set.paths[path].carrier < 0) return wrenches.all;
-  // Apply the rider's pull -u to the carrier: its component along the carrier reduces the
-  // tension towards the insertion; the rest acts on the two ends of the run by lever.
-  const RidingOrigin ride = riding_origin(set, shapes, path);
-  const double along = ride.u.dot(ride.v);
-  const Vector3d across = ride.u - along * ride.v;
-  wrenches.add(ride.span->link_a, ride.span->a, -(1 - ride.share) * across);
-  wrenches.add(ride.span->link_b, ride.span->b, -ride.share * across);
-  const auto spans = static_cast<std::size_t>(ride.span - ride.carrier->spans.data()) + 1;
-  add_part(state, set, {*ride.carrier, spans, /*cut=*/true}, -along, wrenches);
-  return wrenches.all;
-}
-
-double path_velocity(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
-                     const std::vector<PathShape>& shapes, std::size_t path,
-                     const Eigen::VectorXd& q_dot) {
-  Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(q_dot.size());
-  add_path(tree, state, set, shapes, path, arms);
-  return -arms.dot(q_dot);
 }
 
 }  // namespace thenar

@@ -1,12 +1,11 @@
 #pragma once
 
-/// Moment arms of wrapped tendons, by two independent methods.
+/// Moment arms of wrapped tendons.
 
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "hand/statics.h"
 #include "tendons/wrapping/path_solver.h"
 
 namespace thenar {
@@ -26,19 +25,5 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, const std::vector<int>& rows,
                Eigen::Ref<Eigen::MatrixXd> R);
-
-/// Computes the wrenches on the bones of a tendon under unit tension: pulls at its ends, kinks at
-/// its points, and the normal pressure  T dt/ds  integrated along every arc. They sum to zero.
-[[nodiscard]] std::vector<LinkWrench> path_wrenches(const TreeState<double>& state,
-                                                    const PathSet& set,
-                                                    const std::vector<PathShape>& shapes,
-                                                    std::size_t path);
-
-/// Computes the rate of a path's length,  dL/dt = sum of  u . (v_b - v_a)  over its straight runs
-/// [m/s].
-/// @param q_dot  joint velocities [rad/s] (coordinates)
-[[nodiscard]] double path_velocity(const Tree<double>& tree, const TreeState<double>& state,
-                                   const PathSet& set, const std::vector<PathShape>& shapes,
-                                   std::size_t path, const Eigen::VectorXd& q_dot);
 
 }  // namespace thenar

@@ -27,17 +27,6 @@ void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface
           point + 1, path.name, 1e3 * depth, surface.name);
 }
 
-/// Returns the coordinates of the hinges between two links.
-std::vector<int> coordinates_between(const Tree<double>& tree, int a, int b) {
-  std::set<int> crossed;
-  while (a != b) {
-    const auto i = static_cast<std::size_t>(std::max(a, b));
-    crossed.insert(tree[i].coordinate);
-    (b > a ? b : a) = tree[i].parent;
-  }
-  return {crossed.begin(), crossed.end()};
-}
-
 /// Checks that no point reaches a cylinder's half plane opposite to the path's side, where the
 /// length jumps, at the ends and middles of the ranges of the joints between them. Joints without a
 /// range stay at 0.
@@ -48,7 +37,10 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
     // List the joints between the point and the cylinder.
     const WrapPoint& point = path.points[end];
     const Vector3d was = surface.X.inverse() * point.p;
-    const std::vector<int> joints = coordinates_between(skeleton.tree, point.link, surface.link);
+    std::set<int> joints;
+    for_each_hinge_between(skeleton.tree, point.link, surface.link, [&](int i, bool /*on_b*/) {
+      joints.insert(skeleton.tree[i].coordinate);
+    });
     int postures = 1;
     for (std::size_t i = 0; i < joints.size(); ++i) postures *= 3;
     // Try every combination of lower limit, middle and upper limit.
@@ -63,9 +55,8 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
       }
       // Test the point in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
-      const Vector3d base_p = moved(state, point.link, point.p);
-      const Pose<double> X = surface_pose(surface, state);
-      const Vector3d is = X.inverse() * base_p;
+      const Vector3d is =
+          surface_pose(surface, state).inverse() * moved(state, point.link, point.p);
       require(
           !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
           "point {} of strand '{}' goes round the far side of surface '{}' within the ranges of "

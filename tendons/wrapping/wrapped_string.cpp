@@ -93,11 +93,6 @@ WrappedString chord_over_sphere(double r, const Vector3d& a, const Vector3d& b,
   return chord;
 }
 
-/// Computes the angle about z from `side` to p, in (-pi, pi].
-double angle_from(const Vector3d& side, const Vector3d& p) {
-  return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
-}
-
 WrappedString chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                   const Vector3d& side) {
   // Wrap the circle in the plane across the axis.
@@ -147,6 +142,10 @@ ProjectedEnd project_out(double r, bool sphere, const Vector3d& end) {
 }
 
 }  // namespace
+
+double angle_from(const Vector3d& side, const Vector3d& p) {
+  return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
+}
 
 WrappedString straight_string(const Vector3d& a, const Vector3d& b) {
   // Set gradient and Hessian of the distance between the ends.

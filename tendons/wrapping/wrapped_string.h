@@ -20,6 +20,9 @@ struct WrappedString {
       touch_b;  // points where it meets and leaves the surface; a and b if straight [m] (3)
 };
 
+/// Computes the angle about z from `side` to p, in (-pi, pi].
+[[nodiscard]] double angle_from(const Eigen::Vector3d& side, const Eigen::Vector3d& p);
+
 /// Computes the length and derivatives of a straight string.
 [[nodiscard]] WrappedString straight_string(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/posture_sweep.h"
@@ -47,8 +48,9 @@ std::vector<SweepPoint> bend_pip(const NetTendons& tendons, double angle) {
 double height_beside(const NetTendons& tendons, const SweepPoint& point, const std::string& node) {
   const FingerBone& bone = tendons.net().frame.bone(BoneRole::kProximal);
   const TreeState<double> state = pose_tree(tendons.digit().model.tree, point.q);
-  const Eigen::Vector3d p = state[static_cast<std::size_t>(bone.link)].X.inverse() *
-                            Eigen::Vector3d(point.rest.x.col(node_index(tendons.net().net, node)));
+  const Eigen::Vector3d p =
+      state[static_cast<std::size_t>(bone.link)].X.inverse() *
+      Eigen::Vector3d(point.rest.x.col(place_named(tendons.net().net.nodes, node)));
   return (p - bone.distal).dot(bone.dorsal);
 }
 

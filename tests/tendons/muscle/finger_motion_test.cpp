@@ -229,7 +229,7 @@ TEST_P(NetMotion, WrenchesOnBonesMoveThemAsTorquesDo) {
   ASSERT_EQ(rest.status, NetStatus::kBalanced);
   Loads loads;
   for (const LinkWrench& w : net_wrenches(net().net().net, state, rest)) {
-    if (w.link < 0) continue;
+    if (w.link < 0 || w.wrench.moment.isZero(0)) continue;  // untouched
     const Pose<double> to_reference = state[static_cast<std::size_t>(w.link)].X.inverse();
     const Eigen::Vector3d r = 0.01 * w.wrench.moment.unitOrthogonal();
     const Eigen::Vector3d pair = w.wrench.moment.cross(r) / r.squaredNorm();

@@ -122,7 +122,7 @@ constexpr ActivationTimes kTimes{0.015, 0.050};
 
 double after(double excitation, double activation, double seconds) {
   const auto slope = [&](double, const Eigen::VectorXd& a) {
-    return Eigen::VectorXd::Constant(1, activation_rate(excitation, a[0], kTimes));
+    return Eigen::VectorXd::Constant(1, activation_rate(excitation, a[0], kTimes).rate);
   };
   StiffOde ode(slope, 0, Eigen::VectorXd::Constant(1, activation),
                {1e-9, Eigen::VectorXd::Constant(1, 1e-10)});
@@ -144,7 +144,7 @@ TEST(Activation, FallsByItsClosedForm) {
 }
 
 TEST(Activation, RestsAtItsExcitation) {
-  for (const double e : {0.0, 0.3, 1.0}) EXPECT_EQ(activation_rate(e, e, kTimes), 0);
+  for (const double e : {0.0, 0.3, 1.0}) EXPECT_EQ(activation_rate(e, e, kTimes).rate, 0);
 }
 
 }  // namespace

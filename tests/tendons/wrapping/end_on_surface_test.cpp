@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/wrapping/path_wrenches.h"
 #include "tests/tendons/wrapping/wrap_samples.h"
 
 namespace thenar {
@@ -66,7 +67,7 @@ Eigen::RowVectorXd arms_of_wrenches(const Tree<double>& tree, const PathSet& set
                                     const Eigen::VectorXd& q) {
   const TreeState<double> state = pose_tree(tree, q);
   PathSolver solver(set);
-  return joint_torque(tree, state, path_wrenches(state, set, solver.solve(state), 0),
+  return joint_torque(tree, state, sample::path_wrenches(state, set, solver.solve(state), 0),
                       static_cast<int>(q.size()))
       .transpose();
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/wrapping/path_wrenches.h"
 #include "tests/tendons/wrapping/wrap_samples.h"
 
 namespace thenar {
@@ -120,10 +121,11 @@ TEST(WrappedPath, OfAWholeHandAgreesWithItsForcesAndItsLengths) {
   for (std::size_t k = 0; k < set.paths.size(); ++k) {
     ASSERT_EQ(shapes[k].status, PathStatus::kTaut) << set.paths[k].name;
     const VectorXd row = R.row(static_cast<Eigen::Index>(k)).transpose();
-    EXPECT_TRUE(matrix_near(row,
-                            joint_torque(skeleton.tree, state, path_wrenches(state, set, shapes, k),
-                                         skeleton.coordinates()),
-                            1e-14))
+    EXPECT_TRUE(
+        matrix_near(row,
+                    joint_torque(skeleton.tree, state, sample::path_wrenches(state, set, shapes, k),
+                                 skeleton.coordinates()),
+                    1e-14))
         << set.paths[k].name;
     // Fourth-order differences over 1e-3 rad.
     EXPECT_TRUE(
