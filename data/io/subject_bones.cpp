@@ -84,15 +84,13 @@ Segment read_segment(TomlTable& table, SubjectDraft& draft) {
   segment.inertia = read_inertia(table, segment);
   if (segment.mass == 0 && !segment.inertia.isZero(0))
     table.fail(fmt::format("segment '{}' has 'inertia' but no 'mass'", segment.name));
-  table.done();
   return segment;
 }
 
 }  // namespace
 
 void read_segments(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("segment"))
-    draft.subject.segments.push_back(read_segment(table, draft));
+  top.read_each("segment", draft.subject.segments, read_segment, draft);
   const std::vector<std::string> names = names_of(draft.subject.segments);
   // An alias must not hide a segment.
   for (const auto& [alias, name] : draft.aliases)
@@ -184,20 +182,8 @@ void read_joints(TomlTable& top, SubjectDraft& draft) {
 namespace {
 
 Pose<double> read_base(TomlTable& table) {
-  const std::vector<double> q = table.numbers(Dimension::kNumber, "base_quaternion_wxyz", 4);
-  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (std::abs(quaternion.norm() - 1) > 1e-3)
-    table.fail(
-        fmt::format("wanted 'base_quaternion_wxyz' of length 1, got {:.6g}", quaternion.norm()),
-        "base_quaternion_wxyz");
-  return {quaternion.normalized().toRotationMatrix(),
+  return {table.quaternion("base_quaternion_wxyz"),
           table.vector(Dimension::kLength, "base_position")};
-}
-
-DhRow read_row(TomlTable& table) {
-  return {table.number_or(Dimension::kAngle, "theta", 0),
-          table.number_or(Dimension::kLength, "d", 0), table.number_or(Dimension::kLength, "a", 0),
-          table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
 /// Joint about z of frame X.
@@ -227,7 +213,7 @@ void read_chain(TomlTable& table, SubjectDraft& draft) {
   // Each row adds a joint about z of the frame before it.
   for (TomlTable& row : table.tables("rows")) {
     const JointAxis joint = read_joint(row, parent, X, draft);
-    X = X * dh_motion(read_row(row));
+    X = X * dh_motion(read_dh_row(row));
     row.done();
     add_joint(row, joint, draft);
     parent = joint.child;

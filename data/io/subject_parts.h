@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "base/lists.h"
 #include "data/io/subject.h"
 #include "data/io/toml_table.h"
 
@@ -58,15 +59,6 @@ void read_range(TomlTable& table, JointAxis& joint);
 
 /// Refuses impossible paths: surfaces at the ends, or an origin that rides on a strand far away.
 void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft& draft);
-
-/// Names of all parts of a kind.
-template <typename Part>
-[[nodiscard]] std::vector<std::string> names_of(const std::vector<Part>& parts) {
-  std::vector<std::string> names;
-  names.reserve(parts.size());
-  for (const Part& part : parts) names.push_back(part.name);
-  return names;
-}
 
 /// Reads the table's `name`, which no earlier part of its kind may have.
 [[nodiscard]] std::string new_name(TomlTable& table, const std::vector<std::string>& taken);

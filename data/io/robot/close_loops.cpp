@@ -10,7 +10,6 @@
 
 #include "base/lists.h"
 #include "base/numbers.h"
-#include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/linkage.h"

@@ -1,6 +1,5 @@
 #include "data/io/robot/mjcf_couplings.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -12,7 +12,6 @@
 #include "base/lists.h"
 #include "base/words.h"
 #include "data/io/robot/import_couplings.h"
-#include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_actuators.h"
 #include "data/io/robot/mjcf_couplings.h"
 

@@ -170,17 +170,14 @@ void require_link_size(const RobotLink& link) {
 void require_joint_size(const RobotJoint& joint) {
   const std::string whose = fmt::format("joint '{}'", joint.name);
   // Dimensions by the kind of joint.
-  const bool slides = joint.kind == RobotJointKind::kPrismatic;
-  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle;
-  require_size(joint.lower, value, whose, "lower limit");
-  require_size(joint.upper, value, whose, "upper limit");
-  require_size(joint.offset, value, whose, "offset");
-  require_size(joint.rest, value, whose, "rest");
-  require_size(joint.damping, slides ? Dimension::kLinearDamping : Dimension::kAngularDamping,
-               whose, "damping");
-  require_size(joint.friction, slides ? Dimension::kForce : Dimension::kMoment, whose, "friction");
-  require_size(joint.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
-               whose, "stiffness");
+  const internal::Measures& in = internal::measures_of(slides(joint));
+  require_size(joint.lower, in.value, whose, "lower limit");
+  require_size(joint.upper, in.value, whose, "upper limit");
+  require_size(joint.offset, in.value, whose, "offset");
+  require_size(joint.rest, in.value, whose, "rest");
+  require_size(joint.damping, in.damping, whose, "damping");
+  require_size(joint.friction, in.effort, whose, "friction");
+  require_size(joint.stiffness, in.stiffness, whose, "stiffness");
   require_size(joint.ratio, Dimension::kNumber, whose, "ratio");
   for (const double each : joint.curve) require_size(each, Dimension::kNumber, whose, "curve");
   require_size(joint.X_PJ.p, whose, "position");
@@ -189,15 +186,13 @@ void require_joint_size(const RobotJoint& joint) {
 
 void require_dof_size(const RobotDof& dof, bool slides) {
   const std::string whose = fmt::format("degree of freedom '{}'", dof.name);
-  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle,
-                  effort = slides ? Dimension::kForce : Dimension::kMoment;
-  require_size(dof.lower, value, whose, "lower limit");
-  require_size(dof.upper, value, whose, "upper limit");
+  const internal::Measures& in = internal::measures_of(slides);
+  require_size(dof.lower, in.value, whose, "lower limit");
+  require_size(dof.upper, in.value, whose, "upper limit");
   require_size(dof.speed, Dimension::kNumber, whose, "speed");
-  require_size(dof.max_effort, effort, whose, "effort");
-  require_size(dof.breakaway, effort, whose, "breakaway torque");
-  require_size(dof.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
-               whose, "stiffness");
+  require_size(dof.max_effort, in.effort, whose, "effort");
+  require_size(dof.breakaway, in.effort, whose, "breakaway torque");
+  require_size(dof.stiffness, in.stiffness, whose, "stiffness");
 }
 
 void require_sizes(const RobotSpec& robot) {
@@ -286,21 +281,15 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   if (top.has("open_loops")) robot.open_loops = top.texts("open_loops");
   // Approach and parts.
   read_approach(top, robot);
-  for (TomlTable& table : top.tables("link"))
-    robot.links.push_back(internal::read_robot_link(table, path));
+  top.read_each("link", robot.links, internal::read_robot_link, path);
   read_dofs(top, robot);
-  for (TomlTable& table : top.tables("joint"))
-    robot.joints.push_back(internal::read_robot_joint(table));
+  top.read_each("joint", robot.joints, internal::read_robot_joint);
   for (TomlTable& table : top.tables("dh_chain"))
     for (RobotJoint& joint : internal::read_robot_dh_chain(table))
       robot.joints.push_back(std::move(joint));
   top.done();
   // Errors of the whole robot are reported at the file.
-  try {
-    check_robot(robot);
-  } catch (const InputError& error) {
-    top.fail(error.what());
-  }
+  internal::check_here(top, [&] { check_robot(robot); });
   return robot;
 }
 
