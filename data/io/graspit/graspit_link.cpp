@@ -96,11 +96,8 @@ GraspitLink read_graspit_link(const std::string& path) {
   read_geometry(file, body);
   // Inertia needs a mass.
   if (body.mass < 0) file.fail(file.root().child("mass"), "wanted a <mass> >= 0");
-  if (body.inertia && body.mass > 0) {
-    *body.inertia *= body.mass;
-  } else {
-    body.inertia.reset();
-  }
+  if (body.mass == 0) body.inertia.reset();
+  if (body.inertia) *body.inertia *= body.mass;
   return body;
 }
 

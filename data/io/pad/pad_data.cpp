@@ -1,8 +1,10 @@
 #include "data/io/pad/pad_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,28 +68,24 @@ std::vector<double> list_of(TomlTable& table, Dimension dimension, const std::st
   return out;
 }
 
-struct MeasuredKey {
-  const char* quantity;
-  Dimension dimension;
-};
 // Keys of measured quantities
-constexpr std::array kMeasuredKeys{MeasuredKey{"indentation", Dimension::kLength},
-                                   MeasuredKey{"force", Dimension::kForce},
-                                   MeasuredKey{"area", Dimension::kArea}};
+constexpr std::array kMeasuredKeys{std::pair{"indentation", Dimension::kLength},
+                                   std::pair{"force", Dimension::kForce},
+                                   std::pair{"area", Dimension::kArea}};
 
 /// Measured numbers in units, with their sds.
 void read_values(TomlTable& table, PadDataRows& rows, const std::string& imposed) {
-  for (const MeasuredKey& each : kMeasuredKeys) {
-    const std::string sd = std::string("sd_") + each.quantity;
-    if (!table.has(each.dimension, sd)) continue;
+  for (const auto& [quantity, dimension] : kMeasuredKeys) {
+    const std::string sd = std::string("sd_") + quantity;
+    if (!table.has(dimension, sd)) continue;
     if (!rows.quantity.empty())
       table.fail(fmt::format("one quantity is measured in a [[press.data]], got sds of {} and {}",
-                             rows.quantity, each.quantity));
-    if (each.quantity == imposed)
+                             rows.quantity, quantity));
+    if (quantity == imposed)
       table.fail(fmt::format("{} is imposed in this press, and has no sd", imposed), sd);
-    rows.quantity = each.quantity;
-    rows.values = list_of(table, each.dimension, each.quantity, rows.loads.size());
-    rows.sds = list_of(table, each.dimension, sd, rows.loads.size());
+    rows.quantity = quantity;
+    rows.values = list_of(table, dimension, quantity, rows.loads.size());
+    rows.sds = list_of(table, dimension, sd, rows.loads.size());
   }
   if (rows.quantity.empty())
     table.fail(

@@ -90,7 +90,7 @@ WorldSpec parse_world(const std::string& text, const std::string& path,
   world.name = top.text("name");
   world.description = top.text_or("description", "");
   world.source = top.source();
-  world.own_sources = internal::read_own_sources(text, path);
+  world.own_sources = file.own_sources();
   world.materials_file = top.text_or("materials", "");
   world.materials = internal::read_materials_key(top, world.folder);
   // Camera, hands and bodies.

@@ -104,12 +104,4 @@ Camera read_camera(TomlTable& top) {
   return camera;
 }
 
-OwnSources read_own_sources(const std::string& text, const std::string& path) {
-  OwnSources own;
-  const TomlNode top = parse_toml(text, path);
-  if (const TomlNode* sources = top.find("sources"))
-    for (const auto& [key, reference] : sources->members) own[key] = reference.text;
-  return own;
-}
-
 }  // namespace thenar::internal
