@@ -6,6 +6,7 @@
 #include <ctime>
 #include <numeric>
 
+#include <fmt/ranges.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 

@@ -40,6 +40,12 @@ std::string with_si_unit(double value, Dimension dimension) {
   return fmt::format("{:g}", value);
 }
 
+std::string si_key(const std::string& base, Dimension dimension) {
+  for (const Unit& unit : units_of(dimension))
+    if (unit.to_si == 1) return key_of(base, unit);
+  return base;
+}
+
 TomlTable::TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
                      std::vector<std::string> sources)
     : file_(&file), node_(&node), title_(std::move(title)), sources_(std::move(sources)) {

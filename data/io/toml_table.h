@@ -55,6 +55,9 @@ class TomlFile {
   std::map<std::string, std::string> own_sources_;
 };
 
+/// Returns the key of a quantity in SI: "force_N".
+[[nodiscard]] std::string si_key(const std::string& base, Dimension dimension);
+
 /// Admissible range of a number.
 enum class Range { kAny, kNotNegative, kPositive, kFraction };
 
@@ -172,13 +175,13 @@ class TomlTable {
 };
 
 namespace internal {
-/// Runs a check that throws InputError, and reports it at the table.
+/// Runs a check that throws InputError, and reports it at the table, or at one of its keys.
 template <typename Check>
-void check_here(const TomlTable& table, const Check& check) {
+void check_here(const TomlTable& table, const Check& check, const std::string& key = "") {
   try {
     check();
   } catch (const InputError& error) {
-    table.fail(error.what());
+    table.fail(error.what(), key);
   }
 }
 }  // namespace internal

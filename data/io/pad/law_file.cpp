@@ -60,13 +60,9 @@ template <typename Constants, std::size_t N>
 std::string constants_text(const std::string& title, const std::array<Key<Constants>, N>& keys,
                            const Constants& values) {
   std::string out = fmt::format("\n[{}]\n", title);
-  for (const Key<Constants>& key : keys) {
-    const char* unit = key.dimension == Dimension::kForce    ? "_N"
-                       : key.dimension == Dimension::kLength ? "_m"
-                       : key.dimension == Dimension::kStress ? "_Pa"
-                                                             : "";
-    out += fmt::format("{}{} = {}\n", key.base, unit, toml_number(values.*key.value));
-  }
+  for (const Key<Constants>& key : keys)
+    out +=
+        fmt::format("{} = {}\n", si_key(key.base, key.dimension), toml_number(values.*key.value));
   return out;
 }
 

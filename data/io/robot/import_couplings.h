@@ -13,10 +13,10 @@ namespace thenar::internal {
 struct FollowerCoupling {
   std::string joint;
   std::string master;
-  double ratio = 1;           // [1], [m/rad] or [rad/m]
-  double offset = 0;          // [rad] or [m]
-  int line = 1;               // line in the file, for messages
-  std::vector<double> curve;  // empty: linear
+  double ratio = 1;                // [1], [m/rad] or [rad/m]
+  double offset = 0;               // [rad] or [m]
+  int line = 1;                    // line in the file, for messages
+  std::vector<double> curve = {};  // empty: linear
 };
 
 /// Gives every moving joint that follows none a degree of freedom of its own name (rigid, speed 1),

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string_view>
 
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/nearest_name.h"
