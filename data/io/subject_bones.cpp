@@ -14,14 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d symmetric(const std::vector<double>& I) {
-  Matrix3d result;
-  result << I[0], I[3], I[4],  //
-      I[3], I[1], I[5],        //
-      I[4], I[5], I[2];
-  return result;
-}
-
 /// Reads `inertia = [xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`.
 Matrix3d read_tensor(TomlTable& table) {
   std::vector<double> I = table.numbers(Dimension::kInertia, "inertia");
@@ -29,7 +21,11 @@ Matrix3d read_tensor(TomlTable& table) {
   if (I.size() != 6)
     table.fail(fmt::format("wanted 3 (xx yy zz) or 6 (and xy xz yz) moments of inertia, got {}",
                            I.size()));
-  return symmetric(I);
+  Matrix3d tensor;
+  tensor << I[0], I[3], I[4],  //
+      I[3], I[1], I[5],        //
+      I[4], I[5], I[2];
+  return tensor;
 }
 
 /// Reads the inertia of a slender body: one moment about the line from proximal to distal, one

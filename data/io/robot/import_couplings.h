@@ -41,10 +41,6 @@ struct JointRange {
 /// follows, evaluated at the given number of intervals.
 void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals);
 
-/// Returns the joint or degree of freedom of that name, or null.
-[[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);
-[[nodiscard]] RobotDof* find_dof(RobotSpec& robot, const std::string& name);
-
 /// Sorts joints so that parents come before children, and puts the base link first; children of one
 /// parent keep their order.
 /// @throws DataError with `path` if there is not exactly one link that no joint carries, or a ring.

@@ -127,7 +127,7 @@ void MjcfCouplings::keep_limited_tendons(const std::vector<MjcfActuator>& actuat
     // Travel that the joints alone would allow.
     double travel = 0;
     for (const TendonTerm& term : tendon.terms) {
-      const RobotJoint& joint = *find_joint(robot_, term.joint);
+      const RobotJoint& joint = *find_named(robot_.joints, term.joint);
       travel += std::abs(term.coefficient) * (joint.upper - joint.lower);
     }
     if (tendon.terms.size() != 2 || slack > kMaxTravelShare * travel ||
@@ -185,7 +185,7 @@ void MjcfCouplings::add_coupling(const FollowerCoupling& coupling, const pugi::x
 
 void MjcfCouplings::apply() {
   for (const FollowerCoupling& held : held_) {
-    RobotJoint& fixed = *find_joint(robot_, held.joint);
+    RobotJoint& fixed = *find_named(robot_.joints, held.joint);
     fixed.X_PJ = fixed.X_PJ * joint_motion(fixed, held.offset);
     fixed.kind = RobotJointKind::kFixed;
     fixed.lower = fixed.upper = 0;
