@@ -28,11 +28,6 @@ std::optional<double> read_number(TomlTable& table, const std::string& base, Ran
   return {};
 }
 
-void read_tie(TomlTable& table, ParameterRule& rule) {
-  rule.tie_to = table.text("tie_to");
-  rule.tie_ratio = table.number_or(Dimension::kNumber, "tie_ratio", 1);
-}
-
 ParameterRule read_rule(TomlTable& table) {
   // Which parameters the row is about.
   ParameterRule rule;
@@ -43,7 +38,10 @@ ParameterRule read_rule(TomlTable& table) {
   // Free, fixed or tied.
   if (table.has("state")) {
     rule.state = table.choice("state", kParameterStateNames);
-    if (rule.state == ParameterState::kTied) read_tie(table, rule);
+    if (rule.state == ParameterState::kTied) {
+      rule.tie_to = table.text("tie_to");
+      rule.tie_ratio = table.number_or(Dimension::kNumber, "tie_ratio", 1);
+    }
   }
   // Prior and bounds, all of one dimension.
   bool seen = false;

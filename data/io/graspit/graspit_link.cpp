@@ -58,11 +58,10 @@ void read_geometry(const XmlFile& file, GraspitLink& body) {
   if (!(body.geometry_scale > 0)) file.fail(geometry, "wanted its scale > 0");
   // Pose of the mesh in the link: a transform, or three lengths.
   const pugi::xml_node offset = file.root().child("geometryOffset");
-  if (!offset.child("transform").empty()) {
+  if (!offset.child("transform").empty())
     body.X_LG = graspit_transform(file, offset, body.warnings);
-  } else if (offset) {
+  else if (offset)
     body.X_LG.p = kGraspitLength * file.vector3(offset);
-  }
 }
 
 /// Reads one element of a body; unknown elements become warnings.
