@@ -56,4 +56,14 @@ void require_field(const char* field, bool ok, fmt::format_string<Args...> messa
   if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...), field);
 }
 
+/// Returns the result of `work`, and turns its InputError into a DataError at a line of a file.
+template <typename Work>
+auto at_line(const std::string& path, int line, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw DataError(path, line, error.what());
+  }
+}
+
 }  // namespace thenar

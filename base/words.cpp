@@ -1,6 +1,7 @@
 #include "base/words.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,6 +24,12 @@ std::string quoted_list(const std::string& what, const std::vector<std::string>&
   quoted.reserve(names.size());
   for (const std::string& name : names) quoted.push_back("'" + name + "'");
   return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 }  // namespace thenar

@@ -18,4 +18,7 @@ namespace thenar {
 [[nodiscard]] std::string quoted_list(const std::string& what,
                                       const std::vector<std::string>& names);
 
+/// Returns a text with small letters instead of the capitals A to Z.
+[[nodiscard]] std::string lower_case(std::string text);
+
 }  // namespace thenar

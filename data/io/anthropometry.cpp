@@ -23,7 +23,6 @@ SimpleJoint read_joint(TomlTable& table) {
                "range_deg");
   joint.lower = range[0];
   joint.upper = range[1];
-  table.done();
   return joint;
 }
 
@@ -31,9 +30,8 @@ SegmentProportion read_segment(TomlTable& table) {
   SegmentProportion segment;
   segment.name = table.text("name");
   segment.length = table.number(Dimension::kNumber, "length_ratio", Range::kFraction);
-  for (TomlTable& joint : table.tables("joints")) segment.joints.push_back(read_joint(joint));
+  table.read_each("joints", segment.joints, read_joint);
   if (segment.joints.empty()) table.fail(fmt::format("segment '{}' needs 'joints'", segment.name));
-  table.done();
   return segment;
 }
 
@@ -45,11 +43,9 @@ DigitProportion read_digit(TomlTable& table) {
   digit.splay = table.number_or(Dimension::kAngle, "splay", 0);
   digit.roll = table.number_or(Dimension::kAngle, "roll", 0);
   // Bones from the knuckle outwards; a digit has at least one.
-  for (TomlTable& segment : table.tables("segment"))
-    digit.segments.push_back(read_segment(segment));
+  table.read_each("segment", digit.segments, read_segment);
   if (digit.segments.empty())
     table.fail(fmt::format("digit '{}' needs at least one [[digit.segment]]", digit.name));
-  table.done();
   return digit;
 }
 
@@ -61,7 +57,7 @@ HandProportions parse_proportions(const std::string& text, const std::string& pa
   HandProportions hand;
   hand.name = top.text("name");
   hand.description = top.text_or("description", "");
-  for (TomlTable& digit : top.tables("digit")) hand.digits.push_back(read_digit(digit));
+  top.read_each("digit", hand.digits, read_digit);
   top.done();
   return hand;
 }

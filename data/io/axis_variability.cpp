@@ -24,7 +24,6 @@ AxisVariability read_axis_variability(TomlTable& table) {
   // Only numbers of this table can be assumed.
   for (const std::string& key : axis.assumed)
     if (!table.has(key)) table.fail(fmt::format("there is no number '{}' to assume", key));
-  table.done();
   return axis;
 }
 
@@ -50,11 +49,11 @@ DigitVariability parse_variability(const std::string& text, const std::string& p
   out.name = top.text("name");
   out.description = top.text_or("description", "");
   out.mean_subject = top.text("mean_subject");
-  for (TomlTable& axis : top.tables("axis")) out.axes.push_back(read_axis_variability(axis));
+  top.read_each("axis", out.axes, read_axis_variability);
   if (out.axes.empty()) top.fail("wanted at least one [[axis]], got none");
-  std::optional<TomlTable> second = top.table("second");
-  if (!second) top.fail("wanted [second], the second criterion of types, got none");
-  out.second = read_question(*second);
+  TomlTable second =
+      top.needed_table("second", "wanted [second], the second criterion of types, got none");
+  out.second = read_question(second);
   top.done();
   return out;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "data/io/toml_table.h"
 
 namespace thenar {
 namespace {
@@ -70,6 +71,12 @@ Pose<double> dh_motion(const DhRow& row) {
   const Pose<double> about_z{rotation_about(z, row.theta), row.d * z};
   const Pose<double> about_x{rotation_about(x, row.alpha), row.a * x};
   return about_z * about_x;
+}
+
+DhRow read_dh_row(TomlTable& table) {
+  return {table.number_or(Dimension::kAngle, "theta", 0),
+          table.number_or(Dimension::kLength, "d", 0), table.number_or(Dimension::kLength, "a", 0),
+          table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
 DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows) {

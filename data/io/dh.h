@@ -39,6 +39,11 @@ struct DhChain {
   Pose<double> tool;        // pose of the end frame in the last row's frame
 };
 
+class TomlTable;
+
+/// Reads the four numbers of a row; absent ones are 0.
+[[nodiscard]] DhRow read_dh_row(TomlTable& table);
+
 /// Returns the displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
 

@@ -143,7 +143,6 @@ PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
   // Names of postures are unique.
   if (find_named(experiment.postures, posture.name) != nullptr)
     table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
-  table.done();
   return posture;
 }
 
@@ -166,12 +165,10 @@ std::map<std::string, double> read_tensions(TomlTable& table, const Pulley& pull
 
 std::string read_known_posture(TomlTable& table, const Experiment& experiment) {
   std::string name = table.text("posture");
-  std::vector<std::string> names;
-  for (const PostureRecord& posture : experiment.postures) {
-    if (posture.name == name) return name;
-    names.push_back(posture.name);
-  }
-  table.fail(fmt::format("posture '{}' is not defined{}", name, did_you_mean(name, names)));
+  if (find_named(experiment.postures, name) == nullptr)
+    table.fail(fmt::format("posture '{}' is not defined{}", name,
+                           did_you_mean(name, names_of(experiment.postures))));
+  return name;
 }
 
 /// The fitted components of a row's vector, `others` in place of the rest [N].
@@ -206,7 +203,6 @@ Trial read_trial(TomlTable& table, const Experiment& experiment, const ReadCompo
     trial.sd = read_sd(table, read);
   else if (experiment.sd_floor == 0)
     table.fail("a trial needs 'sd_N', or the file a [noise] table");
-  table.done();
   return trial;
 }
 
@@ -240,7 +236,6 @@ ActivationRow read_activation(TomlTable& table, const Experiment& experiment,
     row.force_sd = read_sd(table, read);
   else if (experiment.sd_floor == 0)
     table.fail("an activation row needs 'sd_N', or the file a [noise] table");
-  table.done();
   return row;
 }
 
@@ -253,16 +248,11 @@ std::map<std::string, double> read_outside(TomlTable& table) {
   return length;
 }
 
-TomlTable need_table(TomlTable& top, const std::string& key, const std::string& why) {
-  if (std::optional<TomlTable> table = top.table(key)) return *table;
-  top.fail(fmt::format("the file needs [{}]: {}", key, why));
-}
-
 void read_trials(TomlTable& top, const Pulley& pulley, const ReadComponents& read,
                  Experiment& experiment) {
-  TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
-  for (TomlTable& row : trials.tables("rows"))
-    experiment.trials.push_back(read_trial(row, experiment, read, pulley));
+  TomlTable trials =
+      top.needed_table("trials", "the file needs [trials]: its 'rows' are the loads and forces");
+  trials.read_each("rows", experiment.trials, read_trial, experiment, read, pulley);
   if (experiment.trials.empty())
     trials.fail("wanted at least one trial in 'rows', got none", "rows");
   trials.done();
@@ -301,19 +291,19 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
     experiment.outside_length = read_outside(*outside);
 
   // Protocol: how the tip was held, in which axes its force was read, and how accurately.
-  TomlTable protocol = need_table(top, "protocol", "how the fingertip was held");
+  TomlTable protocol =
+      top.needed_table("protocol", "the file needs [protocol]: how the fingertip was held");
   const Pulley pulley = read_protocol(protocol, experiment);
-  TomlTable force = need_table(top, "force", "the segment and the axes of the forces");
+  TomlTable force =
+      top.needed_table("force", "the file needs [force]: the segment and the axes of the forces");
   const ReadComponents read = read_force_axes(force, experiment);
   if (std::optional<TomlTable> noise = top.table("noise")) read_noise(*noise, experiment);
 
   // Postures and trials, or activations in place of trials.
-  for (TomlTable& table : top.tables("posture"))
-    experiment.postures.push_back(read_posture(table, experiment));
+  top.read_each("posture", experiment.postures, read_posture, experiment);
   if (read.site && top.has("activation"))
     top.fail("an [[activation]] is of the tip; state 'at' in the rows of [trials]", "activation");
-  for (TomlTable& row : top.tables("activation"))
-    experiment.activations.push_back(read_activation(row, experiment, read));
+  top.read_each("activation", experiment.activations, read_activation, experiment, read);
   if (experiment.activations.empty() || top.has("trials"))
     read_trials(top, pulley, read, experiment);
   top.done();

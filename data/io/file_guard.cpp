@@ -49,9 +49,8 @@ class Counter {
 
  private:
   [[noreturn]] void refuse(std::size_t at, const std::string& what) const {
-    const std::string_view before = text_.substr(0, at);
-    const auto line = first_line_ + std::count(before.begin(), before.end(), '\n');
-    throw DataError(path_, static_cast<int>(line), what);
+    const int line = first_line_ - 1 + line_of_offset(text_, static_cast<std::ptrdiff_t>(at));
+    throw DataError(path_, line, what);
   }
 
   std::string_view text_;
@@ -227,6 +226,12 @@ void count_tags(std::string_view text, Counter& counter) {
 }
 
 }  // namespace
+
+int line_of_offset(std::string_view text, std::ptrdiff_t offset) {
+  const auto size = static_cast<std::ptrdiff_t>(text.size());
+  const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, size);
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
 
 const FileLimit& limit_of(GuardedKind kind) { return kLimits.at(static_cast<std::size_t>(kind)); }
 

@@ -46,6 +46,10 @@ struct FileLimit {
 void guard_text(std::string_view text, const std::string& path, GuardedKind kind,
                 int first_line = 1);
 
+/// Returns the line of a text that holds the character at an offset, from 1; offsets beyond the
+/// text count as its ends.
+[[nodiscard]] int line_of_offset(std::string_view text, std::ptrdiff_t offset);
+
 /// Returns true if `file`, which need not exist, is in the folder of `path` or below it, with links
 /// resolved.
 [[nodiscard]] bool is_in_folder_of(const std::string& path, const std::string& file);

@@ -28,11 +28,6 @@ std::optional<double> read_number(TomlTable& table, const std::string& base, Ran
   return {};
 }
 
-void read_tie(TomlTable& table, ParameterRule& rule) {
-  rule.tie_to = table.text("tie_to");
-  rule.tie_ratio = table.number_or(Dimension::kNumber, "tie_ratio", 1);
-}
-
 ParameterRule read_rule(TomlTable& table) {
   // Which parameters the row is about.
   ParameterRule rule;
@@ -43,7 +38,10 @@ ParameterRule read_rule(TomlTable& table) {
   // Free, fixed or tied.
   if (table.has("state")) {
     rule.state = table.choice("state", kParameterStateNames);
-    if (rule.state == ParameterState::kTied) read_tie(table, rule);
+    if (rule.state == ParameterState::kTied) {
+      rule.tie_to = table.text("tie_to");
+      rule.tie_ratio = table.number_or(Dimension::kNumber, "tie_ratio", 1);
+    }
   }
   // Prior and bounds, all of one dimension.
   bool seen = false;
@@ -53,7 +51,6 @@ ParameterRule read_rule(TomlTable& table) {
   rule.range = read_number(table, "range", Range::kPositive, rule, seen);
   rule.lower = read_number(table, "lower", Range::kAny, rule, seen);
   rule.upper = read_number(table, "upper", Range::kAny, rule, seen);
-  table.done();
   return rule;
 }
 
@@ -118,7 +115,6 @@ PriorScale read_prior_scale(TomlTable& table) {
   scale.spread = number("spread", scale.spread);
   scale.largest = number("largest", scale.largest);
   scale.factor = number("factor", scale.factor);
-  table.done();
   return scale;
 }
 
@@ -128,7 +124,6 @@ AxisDistance read_axis_distance(TomlTable& table) {
   const std::vector<double> range =
       table.numbers(Dimension::kLength, "range", 2, Range::kNotNegative);
   if (range[0] > range[1]) table.fail("'range' must go from the lower bound to the upper");
-  table.done();
   return {joints[0], joints[1], range[0], range[1]};
 }
 
@@ -160,16 +155,15 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
       top.number_or(Dimension::kNumber, "superposition", 0, Range::kNotNegative);
   settings.linearity = top.number_or(Dimension::kNumber, "linearity", 0, Range::kNotNegative);
   // Rules stay in the order of the file: later ones win.
-  for (TomlTable& row : top.tables("parameter")) settings.rules.push_back(read_rule(row));
-  for (TomlTable& row : top.tables("axis_distance"))
-    settings.axis_distances.push_back(read_axis_distance(row));
+  top.read_each("parameter", settings.rules, read_rule);
+  top.read_each("axis_distance", settings.axis_distances, read_axis_distance);
   if (std::optional<TomlTable> table = top.table("posterior"))
     settings.posterior = read_posterior(*table);
   for (TomlTable& row : top.tables("choose")) {
     settings.choices.push_back(read_choice(row));
     set_choice(settings, settings.choices.size() - 1, settings.choices.back().chosen);
   }
-  for (TomlTable& row : top.tables("prior_scale")) settings.scales.push_back(read_prior_scale(row));
+  top.read_each("prior_scale", settings.scales, read_prior_scale);
   top.done();
   return settings;
 }

@@ -6,11 +6,13 @@
 #include <ctime>
 #include <numeric>
 
+#include <fmt/ranges.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/provenance.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
@@ -63,8 +65,8 @@ int put_dimension(int group, const std::string& name, std::size_t length,
     return dimension;
   }
   // Labels as a variable of texts.
-  std::vector<const char*> chars;
-  for (const std::string& label : *labels) chars.push_back(label.c_str());
+  std::vector<const char*> chars =
+      transformed(*labels, [](const std::string& label) { return label.c_str(); });
   check(nc_put_vara_string(group, variable, &start, &length, chars.data()), "label " + name);
   return dimension;
 }
@@ -118,19 +120,15 @@ void put_array(int group, const std::string& name, const InferenceArray& array,
                const InferenceGroup& described, const std::map<std::string, int>& dimensions) {
   check_array(name, array, described);
   // Identifiers and lengths of the dimensions.
-  std::vector<int> over;
-  std::vector<std::size_t> lengths;
-  for (const std::string& dimension : array.dimensions) {
-    over.push_back(dimensions.at(dimension));
-    lengths.push_back(described.lengths.at(dimension));
-  }
+  const std::vector<int> over =
+      transformed(array.dimensions, [&](const std::string& each) { return dimensions.at(each); });
   // Type, unit and description of the variable, then its values.
   const nc_type type = array.boolean ? NC_BYTE : array.integer ? NC_INT64 : NC_DOUBLE;
   const int variable = put_variable(group, name, type, over);
   put_text(group, variable, "units", array.unit);
   if (!array.description.empty()) put_text(group, variable, "long_name", array.description);
   if (array.boolean) put_text(group, variable, "dtype", "bool");  // as xarray marks it
-  put_values(group, variable, array, name, lengths);
+  put_values(group, variable, array, name, shape_in(described, array));
 }
 
 void put_group(int file, const std::string& name, const InferenceGroup& described,
@@ -392,12 +390,10 @@ InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& 
 /// @param bytes  of a file; the libraries ask for mutable bytes, and do not change them
 InferenceFile read_inference_image(std::string& bytes, Checksum checksum, const std::string& path) {
   (void)guard_hdf5(bytes, path);  // netCDF-4 is HDF5
-  try {
+  return at_line(path, 1, [&] {
     Reading reading(bytes);
     return read_open(reading, checksum, path);
-  } catch (const InputError& error) {
-    throw DataError(path, 1, error.what());
-  }
+  });
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/file_guard.h"
 
@@ -24,11 +25,6 @@ constexpr int kMaxMisspelling = 2;   // largest number of letters by which a mis
 constexpr double kMaxNumber = 1e12;  // largest number; beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
 constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
-
-int line_at(const std::string& text, std::size_t position) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
 
 /// Reader of a text's tokens, as the parser reports them, that counts lines.
 class TokenLines {
@@ -113,9 +109,9 @@ class TreeBuilder : public nlohmann::json_sax<PlainJson> {
                    const PlainJson::exception& error) override {
     // A number that is too large is a whole token; all else ends at the byte that is wrong.
     const bool syntax = dynamic_cast<const PlainJson::parse_error*>(&error) != nullptr;
-    const int line = syntax
-                         ? first_line_ - 1 + line_at(text_, std::max<std::size_t>(position, 1) - 1)
-                         : lines_.next();
+    const int line =
+        syntax ? first_line_ - 1 + line_of_offset(text_, static_cast<std::ptrdiff_t>(position) - 1)
+               : lines_.next();
     throw DataError(path_, line, "wanted JSON: " + plain_words(error.what()));
   }
 
@@ -160,21 +156,14 @@ class TreeBuilder : public nlohmann::json_sax<PlainJson> {
 /// Converts a tree to nlohmann's type.
 template <typename Json>
 Json fence_json(const JsonNode& node) {  // NOLINT(misc-no-recursion): as deep as the tree
-  switch (node.kind) {
-    case JsonKind::kNull:
-      return Json();
-    case JsonKind::kFlag:
-      return Json(node.flag);
-    case JsonKind::kNumber:
-      if (!std::isfinite(node.number)) return Json();
-      if (node.whole && std::abs(node.number) < kLargestWhole)
-        return Json(static_cast<std::int64_t>(node.number));
-      return Json(node.number);
-    case JsonKind::kText:
-      return Json(node.text);
-    case JsonKind::kArray:
-    case JsonKind::kObject:
-      break;
+  if (node.kind == JsonKind::kNull) return Json();
+  if (node.kind == JsonKind::kFlag) return Json(node.flag);
+  if (node.kind == JsonKind::kText) return Json(node.text);
+  if (node.kind == JsonKind::kNumber) {
+    if (!std::isfinite(node.number)) return Json();
+    if (node.whole && std::abs(node.number) < kLargestWhole)
+      return Json(static_cast<std::int64_t>(node.number));
+    return Json(node.number);
   }
   // Lists and objects are translated entry by entry; members keep their order.
   const bool list = node.kind == JsonKind::kArray;
@@ -211,10 +200,10 @@ JsonNode& JsonNode::member(const std::string& name) {
 }
 
 void JsonNode::erase(const std::string& name) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) return;
-  items.erase(items.begin() + (at - names.begin()));
-  names.erase(at);
+  const int at = place_in(names, name);
+  if (at < 0) return;
+  items.erase(items.begin() + at);
+  names.erase(names.begin() + at);
 }
 
 bool operator==(const JsonNode& a, const JsonNode& b) {
@@ -240,13 +229,10 @@ std::map<std::string, std::vector<std::string>> text_members(
   for (std::size_t i = 0; i < object->names.size(); ++i) {
     const JsonNode& member = object->items[i];
     if (member.kind == JsonKind::kText) members[object->names[i]] = {member.text};
-    const bool texts =
-        member.kind == JsonKind::kArray &&
-        std::all_of(member.items.begin(), member.items.end(),
-                    [](const JsonNode& entry) { return entry.kind == JsonKind::kText; });
-    if (!texts) continue;
-    std::vector<std::string>& list = members[object->names[i]];
-    for (const JsonNode& entry : member.items) list.push_back(entry.text);
+    const auto is_text = [](const JsonNode& entry) { return entry.kind == JsonKind::kText; };
+    if (member.kind == JsonKind::kArray && all_of(member.items, is_text))
+      members[object->names[i]] =
+          transformed(member.items, [](const JsonNode& entry) { return entry.text; });
   }
   return members;
 }
@@ -295,7 +281,7 @@ std::vector<std::string> JsonValue::others_than(const std::vector<std::string>& 
   std::vector<std::string> others;
   for (std::size_t i = 0; i < node_.names.size(); ++i) {
     const std::string& member = node_.names[i];
-    if (std::find(known.begin(), known.end(), member) != known.end()) continue;
+    if (contains(known, member)) continue;
     // A name that is one or two letters off is a misspelt key, not a member of the user's own.
     for (const std::string& meant : known)
       if (edit_distance(member, meant) <= kMaxMisspelling &&

@@ -40,12 +40,13 @@ class LayoutCheck {
 
   void check() {
     // Entries of no scope first: their lengths are the file's.
-    for (const LayoutRow& row : layout_)
-      if (row.key.find('*') == std::string::npos) check_row(row, row.key, of_file_);
-    // Then scope by scope, each group with lengths of its own.
     std::set<std::string> scopes;
     for (const LayoutRow& row : layout_)
-      if (row.key.find('*') != std::string::npos) scopes.insert(scope_of(row));
+      if (has_star(row))
+        scopes.insert(scope_of(row));
+      else
+        check_row(row, row.key, of_file_);
+    // Then scope by scope, each group with lengths of its own.
     for (const std::string& scope : scopes) check_scope(scope);
   }
 
@@ -57,6 +58,13 @@ class LayoutCheck {
   }
 
   static std::string scope_of(const LayoutRow& row) { return row.key.substr(0, row.key.find('*')); }
+
+  static bool has_star(const LayoutRow& row) { return row.key.find('*') != std::string::npos; }
+
+  /// Returns true for a row of entries, not of groups, below a scope.
+  static bool is_entry_in(const LayoutRow& row, const std::string& scope) {
+    return has_star(row) && scope_of(row) == scope && row.holds != Holds::kGroups;
+  }
 
   /// Returns the text at '*' in a key; nothing if the key is not of this row.
   static std::optional<std::string> name_in(const std::string& key, const LayoutRow& row) {
@@ -72,9 +80,7 @@ class LayoutCheck {
     // The groups that any entry of the scope tells of.
     std::set<std::string> names;
     for (const LayoutRow& row : layout_) {
-      if (row.key.find('*') == std::string::npos || scope_of(row) != scope ||
-          row.holds == Holds::kGroups)
-        continue;
+      if (!is_entry_in(row, scope)) continue;
       for (const auto& [key, entry] : found_)
         if (const auto name = name_in(key, row)) names.insert(*name);
     }
@@ -85,9 +91,7 @@ class LayoutCheck {
       Lengths own;
       bundles_.clear();
       for (const LayoutRow& row : layout_) {
-        if (row.key.find('*') == std::string::npos || scope_of(row) != scope ||
-            row.holds == Holds::kGroups)
-          continue;
+        if (!is_entry_in(row, scope)) continue;
         std::string key = row.key;
         key.replace(key.find('*'), 1, name);
         check_row(row, key, own);

@@ -11,11 +11,8 @@ namespace thenar {
 std::string linked_file(const TomlTable& table, const std::string& key, const std::string& name,
                         const std::string& folder, const std::string& kind) {
   std::string path;
-  try {
-    path = linked_path(folder, name);
-  } catch (const InputError& error) {
-    table.fail(error.what(), key);
-  }
+  internal::check_here(
+      table, [&] { path = linked_path(folder, name); }, key);
   if (!is_file(path)) table.fail(fmt::format("there is no {} '{}'", kind, path), key);
   return path;
 }

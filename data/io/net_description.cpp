@@ -39,19 +39,15 @@ StrandPoint read_strand_point(TomlTable& table) {
   return at;
 }
 
-TomlTable needed_table(TomlTable& top, const std::string& key) {
-  std::optional<TomlTable> table = top.table(key);
-  if (!table) top.fail(fmt::format("wanted a table [{}] of the reference finger", key));
-  return *table;
-}
-
 void read_reference(TomlTable& top, NetDescription& net) {
   // Bone lengths and heights of the reference finger.
-  TomlTable bones = needed_table(top, "bone_lengths");
+  TomlTable bones =
+      top.needed_table("bone_lengths", "wanted a table [bone_lengths] of the reference finger");
   for (const auto& [bone, name] : kBoneRoleNames)
     net.bone_length[bone] = bones.number(Dimension::kLength, name, Range::kPositive);
   bones.done();
-  TomlTable heights = needed_table(top, "extensor_heights");
+  TomlTable heights = top.needed_table("extensor_heights",
+                                       "wanted a table [extensor_heights] of the reference finger");
   for (const auto& [joint, name] : kFingerJointNames)
     net.height[joint] = heights.number(Dimension::kLength, name, Range::kPositive);
   heights.done();
@@ -79,7 +75,6 @@ NetSurface read_surface(TomlTable& table, const NetDescription& net) {
     surface.across = table.choice("axis", {"bone", "joint"}) == "joint";
     surface.half_length = table.number(Dimension::kLength, "half_length", Range::kNotNegative);
   }
-  table.done();
   return surface;
 }
 
@@ -95,7 +90,6 @@ NetNodePlan read_node(TomlTable& table, const NetDescription& net) {
     check_reference(table, "surfaces", "surface", surface, names_of(net.surfaces));
   if (!node.floating && !node.surfaces.empty())
     table.fail("only a floating node rests on surfaces", "surfaces");
-  table.done();
   return node;
 }
 
@@ -103,10 +97,9 @@ NetNodePlan read_node(TomlTable& table, const NetDescription& net) {
 std::string read_over(TomlTable& table, const NetDescription& net) {
   if (!table.has("over")) return "";
   std::string over = reference(table, "over", "surface", names_of(net.surfaces));
-  for (const NetSurface& surface : net.surfaces)
-    if (surface.name == over && surface.shape == SurfaceShape::kCapsule)
-      table.fail(fmt::format("bands bend over spheres and cylinders, and '{}' is a capsule", over),
-                 "over");
+  if (find_named(net.surfaces, over)->shape == SurfaceShape::kCapsule)
+    table.fail(fmt::format("bands bend over spheres and cylinders, and '{}' is a capsule", over),
+               "over");
   return over;
 }
 
@@ -140,7 +133,6 @@ NetBandPlan read_band(TomlTable& table, const NetDescription& net) {
       table.number_or(Dimension::kNumber, "max_strain", band.most_strain, Range::kPositive);
   band.over = read_over(table, net);
   band.side = table.number_or(Dimension::kAngle, "side", 0);
-  table.done();
   return band;
 }
 
@@ -180,7 +172,6 @@ NetMusclePlan read_muscle(TomlTable& table, const NetDescription& net) {
   if (shares <= 0) table.fail("a muscle needs at least one entry with a share in 'pulls'");
   if (shares > 1 + 1e-9)
     table.fail(fmt::format("wanted shares of at most 1 in all, got {}", shares), "pulls");
-  table.done();
   return muscle;
 }
 
@@ -212,10 +203,10 @@ NetDescription parse_net(const std::string& text, const std::string& path) {
   net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kFraction);
   read_reference(top, net);
   // Parts in an order in which references point backwards.
-  for (TomlTable& table : top.tables("surface")) net.surfaces.push_back(read_surface(table, net));
-  for (TomlTable& table : top.tables("node")) net.nodes.push_back(read_node(table, net));
-  for (TomlTable& table : top.tables("band")) net.bands.push_back(read_band(table, net));
-  for (TomlTable& table : top.tables("muscle")) net.muscles.push_back(read_muscle(table, net));
+  top.read_each("surface", net.surfaces, read_surface, net);
+  top.read_each("node", net.nodes, read_node, net);
+  top.read_each("band", net.bands, read_band, net);
+  top.read_each("muscle", net.muscles, read_muscle, net);
   read_slips(top, net);
   top.done();
   return net;

@@ -1,6 +1,5 @@
 #include "data/io/result_file.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include <hdf5.h>
@@ -8,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/hdf5_guard.h"
@@ -134,9 +134,8 @@ void write_array(hid_t file, const std::string& key, const ResultArray& array) {
 
 void write_texts(hid_t file, const std::string& key, const std::vector<std::string>& texts) {
   // HDF5 wants pointers to the texts.
-  std::vector<const char*> chars(texts.size());
-  std::transform(texts.begin(), texts.end(), chars.begin(),
-                 [](const std::string& text) { return text.c_str(); });
+  const std::vector<const char*> chars =
+      transformed(texts, [](const std::string& text) { return text.c_str(); });
   const hsize_t length = texts.size();
   const Hdf5Object type = string_type();
   const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
@@ -224,13 +223,12 @@ std::string image(hid_t file) {
 constexpr unsigned kImageIsOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
 
 /// Stops the library from printing its own stack of errors.
-void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 /// @param bytes  of a file; HDF5 asks for mutable bytes, and does not change them
 ResultFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
   const std::vector<std::string> keys = guard_hdf5(bytes, path);
   // Only our own files are read.
-  try {
+  return at_line(path, 1, [&] {
     const Hdf5Object h5(H5LTopen_file_image(bytes.data(), bytes.size(), kImageIsOurs), H5Fclose,
                         "open it");
     TextReader texts(bytes.size());
@@ -239,9 +237,7 @@ ResultFile read_image(std::string& bytes, Checksum checksum, const std::string& 
     ResultFile out;
     for (const std::string& key : keys) read_dataset(h5, key, texts, out);
     return out;
-  } catch (const InputError& error) {
-    throw DataError(path, 1, error.what());
-  }
+  });
 }
 
 }  // namespace
@@ -318,9 +314,9 @@ const std::string& ResultFile::text(const std::string& key) const {
 
 void write_result(const ResultFile& file, const std::string& path) {
   const auto lock = lock_hdf5();
-  // Into memory first, then to disk in one go.
-  be_quiet();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise the library prints its errors
   require_writable(path);
+  // Into memory first, then to disk in one go.
   const Hdf5Object h5 = memory_file(path);
   write_attribute(h5, "program", kCheckedProgram);
   for (const auto& [key, array] : file.arrays) write_array(h5, key, array);
@@ -330,7 +326,6 @@ void write_result(const ResultFile& file, const std::string& path) {
 
 ResultFile read_result(const std::string& path) {
   const auto lock = lock_hdf5();
-  be_quiet();
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted an HDF5 result file that thenar wrote");
   std::string bytes = read_guarded(path, GuardedKind::kResult);

@@ -49,9 +49,8 @@ void read_header(TomlTable& top, SubjectDraft& draft) {
 /// Refuses segments that neither are the base nor hang on a joint.
 void check_segments_move(const TomlTable& top, const Subject& subject) {
   for (const Segment& segment : subject.segments) {
-    bool moved = segment.name == subject.base;
-    for (const JointAxis& joint : subject.joints) moved = moved || joint.child == segment.name;
-    if (!moved)
+    const auto moves = [&](const JointAxis& joint) { return joint.child == segment.name; };
+    if (segment.name != subject.base && !any_of(subject.joints, moves))
       top.fail(fmt::format("segment '{}' is not the base and no joint moves it", segment.name));
   }
 }

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -14,14 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d symmetric(const std::vector<double>& I) {
-  Matrix3d result;
-  result << I[0], I[3], I[4],  //
-      I[3], I[1], I[5],        //
-      I[4], I[5], I[2];
-  return result;
-}
-
 /// Reads `inertia = [xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`.
 Matrix3d read_tensor(TomlTable& table) {
   std::vector<double> I = table.numbers(Dimension::kInertia, "inertia");
@@ -29,7 +20,11 @@ Matrix3d read_tensor(TomlTable& table) {
   if (I.size() != 6)
     table.fail(fmt::format("wanted 3 (xx yy zz) or 6 (and xy xz yz) moments of inertia, got {}",
                            I.size()));
-  return symmetric(I);
+  Matrix3d tensor;
+  tensor << I[0], I[3], I[4],  //
+      I[3], I[1], I[5],        //
+      I[4], I[5], I[2];
+  return tensor;
 }
 
 /// Reads the inertia of a slender body: one moment about the line from proximal to distal, one
@@ -84,15 +79,13 @@ Segment read_segment(TomlTable& table, SubjectDraft& draft) {
   segment.inertia = read_inertia(table, segment);
   if (segment.mass == 0 && !segment.inertia.isZero(0))
     table.fail(fmt::format("segment '{}' has 'inertia' but no 'mass'", segment.name));
-  table.done();
   return segment;
 }
 
 }  // namespace
 
 void read_segments(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("segment"))
-    draft.subject.segments.push_back(read_segment(table, draft));
+  top.read_each("segment", draft.subject.segments, read_segment, draft);
   const std::vector<std::string> names = names_of(draft.subject.segments);
   // An alias must not hide a segment.
   for (const auto& [alias, name] : draft.aliases)
@@ -184,20 +177,8 @@ void read_joints(TomlTable& top, SubjectDraft& draft) {
 namespace {
 
 Pose<double> read_base(TomlTable& table) {
-  const std::vector<double> q = table.numbers(Dimension::kNumber, "base_quaternion_wxyz", 4);
-  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (std::abs(quaternion.norm() - 1) > 1e-3)
-    table.fail(
-        fmt::format("wanted 'base_quaternion_wxyz' of length 1, got {:.6g}", quaternion.norm()),
-        "base_quaternion_wxyz");
-  return {quaternion.normalized().toRotationMatrix(),
+  return {table.quaternion("base_quaternion_wxyz"),
           table.vector(Dimension::kLength, "base_position")};
-}
-
-DhRow read_row(TomlTable& table) {
-  return {table.number_or(Dimension::kAngle, "theta", 0),
-          table.number_or(Dimension::kLength, "d", 0), table.number_or(Dimension::kLength, "a", 0),
-          table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
 /// Joint about z of frame X.
@@ -227,7 +208,7 @@ void read_chain(TomlTable& table, SubjectDraft& draft) {
   // Each row adds a joint about z of the frame before it.
   for (TomlTable& row : table.tables("rows")) {
     const JointAxis joint = read_joint(row, parent, X, draft);
-    X = X * dh_motion(read_row(row));
+    X = X * dh_motion(read_dh_row(row));
     row.done();
     add_joint(row, joint, draft);
     parent = joint.child;

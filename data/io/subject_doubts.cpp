@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -42,7 +43,7 @@ void tell(const std::vector<std::string>& found, const std::string& kind,
           std::vector<std::string>& doubts) {
   constexpr std::size_t kMinCounted = 4;  // Fewest doubts of one kind that are only counted
   if (found.size() < kMinCounted) {
-    doubts.insert(doubts.end(), found.begin(), found.end());
+    append_all(doubts, found);
     return;
   }
   doubts.push_back(fmt::format("{} ({} more {} are alike)", found.front(), found.size() - 1, kind));
@@ -161,11 +162,9 @@ ChordDistance largest_chord_distance(const Subject& subject, const Strand& stran
     const PathPoint &from = strand.path[i - 1], &to = strand.path[i];
     const std::vector<const JointAxis*> below = joints_to(subject, from.segment),
                                         above = joints_to(subject, to.segment);
-    const auto has = [](const std::vector<const JointAxis*>& joints, const JointAxis* joint) {
-      return std::find(joints.begin(), joints.end(), joint) != joints.end();
-    };
+
     for (const JointAxis& joint : subject.joints) {
-      if (has(below, &joint) == has(above, &joint)) continue;
+      if (contains(below, &joint) == contains(above, &joint)) continue;
       const double distance = distance_to_axis(from.p, to.p, joint);
       if (found.joint != nullptr && distance <= found.distance) continue;
       found = {distance, &joint};

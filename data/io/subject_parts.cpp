@@ -1,7 +1,5 @@
 #include "data/io/subject_parts.h"
 
-#include <algorithm>
-
 #include <Eigen/Geometry>
 
 #include "base/nearest_name.h"
@@ -10,14 +8,14 @@ namespace thenar::internal {
 
 std::string new_name(TomlTable& table, const std::vector<std::string>& taken) {
   std::string name = table.text("name");
-  if (std::find(taken.begin(), taken.end(), name) != taken.end())
+  if (contains(taken, name))
     table.fail(fmt::format("{} '{}' is given twice", table.title(), name), "name");
   return name;
 }
 
 void check_reference(const TomlTable& table, const std::string& key, const std::string& what,
                      const std::string& name, const std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), name) == names.end())
+  if (!contains(names, name))
     table.fail(
         fmt::format("'{}' names the unknown {} '{}'{}", key, what, name, did_you_mean(name, names)),
         key);
@@ -51,7 +49,6 @@ HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
   branch.side = table.choice("side", kHoodSideNames);
   branch.into_hood = table.number_or(Dimension::kNumber, "into_hood", 1, Range::kFraction);
   branch.to_central = table.number_or(Dimension::kNumber, "to_central", 0.5, Range::kFraction);
-  table.done();
   return branch;
 }
 
@@ -90,7 +87,6 @@ Digit read_digit(TomlTable& table, const SubjectDraft& draft) {
   digit.tip = read_tip(table, digit.name, draft);
   read_directions(table, draft.subject.side, digit);
   if (std::optional<TomlTable> hood = table.table("hood")) digit.hood = read_hood(*hood, draft);
-  table.done();
   return digit;
 }
 
@@ -103,15 +99,13 @@ HoodRule read_hood(TomlTable& table, const SubjectDraft& draft) {
   hood.radial_band = reference(table, "radial_band", "strand", strands);
   hood.ulnar_band = reference(table, "ulnar_band", "strand", strands);
   hood.terminal_slip = reference(table, "terminal_slip", "strand", strands);
-  for (TomlTable& branch : table.tables("branches"))
-    hood.branches.push_back(read_branch(branch, draft));
+  table.read_each("branches", hood.branches, read_branch, draft);
   table.done();
   return hood;
 }
 
 void read_digits(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("digit"))
-    draft.subject.digits.push_back(read_digit(table, draft));
+  top.read_each("digit", draft.subject.digits, read_digit, draft);
   for (const auto& [name, end] : draft.chain_ends)
     check_reference(top, "dh_chain", "digit", name, names_of(draft.subject.digits));
 }
@@ -145,15 +139,13 @@ TipMap read_tip_map(TomlTable& table, const SubjectDraft& draft) {
   for (const std::string& muscle : map.muscles)
     check_reference(table, "muscles", "muscle", muscle, names_of(draft.subject.muscles));
   read_rows(table, map);
-  table.done();
   return map;
 }
 
 }  // namespace
 
 void read_tip_maps(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("tip_map"))
-    draft.subject.tip_maps.push_back(read_tip_map(table, draft));
+  top.read_each("tip_map", draft.subject.tip_maps, read_tip_map, draft);
 }
 
 }  // namespace thenar::internal

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "base/lists.h"
 #include "data/io/subject_parts.h"

@@ -31,8 +31,7 @@ Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
   Strand strand;
   strand.name = new_name(table, names_of(draft.subject.strands));
   // Path from insertion to origin.
-  for (TomlTable& point : table.tables("path"))
-    strand.path.push_back(read_path_element(point, draft));
+  table.read_each("path", strand.path, read_path_element, draft);
   check_path(table, strand, draft);
   // Constant moment arms.
   strand.arms = table.named(Dimension::kLength, "arms");
@@ -40,7 +39,6 @@ Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
     check_reference(table, "arms", "joint", joint, names_of(draft.subject.joints));
   if (strand.path.empty() && strand.arms.empty())
     table.fail(fmt::format("strand '{}' needs a 'path' or 'arms_mm'", strand.name));
-  table.done();
   return strand;
 }
 
@@ -72,7 +70,6 @@ MuscleUnit read_muscle(TomlTable& table, const SubjectDraft& draft) {
   muscle.fibre_length = table.number_or(Dimension::kLength, "fibre_length", 0, Range::kNotNegative);
   muscle.tendon_slack = table.number_or(Dimension::kLength, "tendon_slack", 0, Range::kNotNegative);
   muscle.pennation = table.number_or(Dimension::kAngle, "pennation", 0, Range::kNotNegative);
-  table.done();
   return muscle;
 }
 
@@ -87,13 +84,11 @@ void read_frames(TomlTable& top, SubjectDraft& draft) {
 }
 
 void read_strands(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("strand"))
-    draft.subject.strands.push_back(read_strand(table, draft));
+  top.read_each("strand", draft.subject.strands, read_strand, draft);
 }
 
 void read_muscles(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("muscle"))
-    draft.subject.muscles.push_back(read_muscle(table, draft));
+  top.read_each("muscle", draft.subject.muscles, read_muscle, draft);
 }
 
 namespace {
@@ -190,9 +185,7 @@ void check_ride(const TomlTable& table, const Strand& strand, const SubjectDraft
 }  // namespace
 
 PathPoint read_path_element(TomlTable& table, const SubjectDraft& draft) {
-  PathPoint element = table.has("surface") ? read_bend(table, draft) : read_point(table, draft);
-  table.done();
-  return element;
+  return table.has("surface") ? read_bend(table, draft) : read_point(table, draft);
 }
 
 void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft& draft) {
@@ -272,15 +265,13 @@ Surface read_surface(TomlTable& table, const SubjectDraft& draft) {
                     surface.size[1], surface.size[0]));
   surface.center = table.vector(Dimension::kLength, "center");
   surface.axes = read_axes(table, surface.shape);
-  table.done();
   return surface;
 }
 
 }  // namespace
 
 void read_surfaces(TomlTable& top, SubjectDraft& draft) {
-  for (TomlTable& table : top.tables("surface"))
-    draft.subject.surfaces.push_back(read_surface(table, draft));
+  top.read_each("surface", draft.subject.surfaces, read_surface, draft);
 }
 
 }  // namespace thenar::internal

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "base/enum_names.h"
 #include "base/lists.h"
 #include "base/nearest_name.h"
@@ -36,6 +38,12 @@ std::string with_si_unit(double value, Dimension dimension) {
   for (const Unit& unit : units_of(dimension))
     if (unit.to_si == 1) return fmt::format("{:g} {}", value, unit.suffix);
   return fmt::format("{:g}", value);
+}
+
+std::string si_key(const std::string& base, Dimension dimension) {
+  for (const Unit& unit : units_of(dimension))
+    if (unit.to_si == 1) return key_of(base, unit);
+  return base;
 }
 
 TomlTable::TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
@@ -95,7 +103,13 @@ double TomlTable::number(Dimension dimension, const std::string& base, Range ran
 
 double TomlTable::number_or(Dimension dimension, const std::string& base, double fallback,
                             Range range) {
-  return has(dimension, base) ? number(dimension, base, range) : fallback;
+  return number_if(dimension, base, range).value_or(fallback);
+}
+
+std::optional<double> TomlTable::number_if(Dimension dimension, const std::string& base,
+                                           Range range) {
+  if (!has(dimension, base)) return std::nullopt;
+  return number(dimension, base, range);
 }
 
 std::vector<double> TomlTable::numbers(Dimension dimension, const std::string& base, int count,
@@ -139,6 +153,15 @@ Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
     rows.row(i) << row[0], row[1], row[2];
   }
   return rows;
+}
+
+Eigen::Matrix3d TomlTable::quaternion(const std::string& key) {
+  constexpr double kQuaternionTolerance = 1e-3;  // largest error of the length of a printed one [1]
+  const std::vector<double> q = numbers(Dimension::kNumber, key, 4);
+  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
+  if (std::abs(quaternion.norm() - 1) > kQuaternionTolerance)
+    fail(fmt::format("wanted '{}' of length 1, got {:.6g}", key, quaternion.norm()), key);
+  return quaternion.normalized().toRotationMatrix();
 }
 
 std::map<std::string, double> TomlTable::named(Dimension dimension, const std::string& base,
@@ -185,6 +208,11 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
   for (const TomlNode& node : need(key, TomlKind::kArray).items)
     result.push_back(inner(node, "[[" + key + "]]"));
   return result;
+}
+
+TomlTable TomlTable::needed_table(const std::string& key, const std::string& complaint) {
+  if (std::optional<TomlTable> found = table(key)) return *found;
+  fail(complaint);
 }
 
 std::string TomlTable::source() const { return fmt::format("{}", fmt::join(sources_, ", ")); }

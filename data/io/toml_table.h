@@ -55,6 +55,9 @@ class TomlFile {
   std::map<std::string, std::string> own_sources_;
 };
 
+/// Returns the key of a quantity in SI: "force_N".
+[[nodiscard]] std::string si_key(const std::string& base, Dimension dimension);
+
 /// Admissible range of a number.
 enum class Range { kAny, kNotNegative, kPositive, kFraction };
 
@@ -91,6 +94,9 @@ class TomlTable {
                               Range range = Range::kAny);
   [[nodiscard]] double number_or(Dimension dimension, const std::string& base, double fallback,
                                  Range range = Range::kAny);
+  /// Returns a quantity, or nothing if it is absent.
+  [[nodiscard]] std::optional<double> number_if(Dimension dimension, const std::string& base,
+                                                Range range = Range::kAny);
   /// @param count  number of entries wanted; 0: any
   [[nodiscard]] std::vector<double> numbers(Dimension dimension, const std::string& base,
                                             int count = 0, Range range = Range::kAny);
@@ -100,6 +106,8 @@ class TomlTable {
   [[nodiscard]] Eigen::Vector3d direction(const std::string& key);  // normalised (3)
   [[nodiscard]] double sign(const std::string& key);                // 1 if absent, or -1
   [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);      // three rows of three
+  /// Returns the rotation of a quaternion w, x, y, z, whose length may deviate from 1 by rounding.
+  [[nodiscard]] Eigen::Matrix3d quaternion(const std::string& key);
 
   /// Names to quantities, `arms_mm = {PIP3 = 5.6}`. Empty if absent.
   [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
@@ -112,6 +120,16 @@ class TomlTable {
   /// Return tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
+  /// @throws DataError with a complaint if the table is absent.
+  [[nodiscard]] TomlTable needed_table(const std::string& key, const std::string& complaint);
+  /// Adds read(table, arguments..) of each table [[key]] to a list, and refuses its unread keys.
+  template <typename List, typename Read, typename... Arguments>
+  void read_each(const std::string& key, List& list, const Read& read, Arguments&&... arguments) {
+    for (TomlTable& each : tables(key)) {
+      list.push_back(read(each, arguments...));
+      each.done();
+    }
+  }
 
   [[nodiscard]] const std::string& title() const { return title_; }
   [[nodiscard]] int line() const { return node_->line; }
@@ -157,13 +175,13 @@ class TomlTable {
 };
 
 namespace internal {
-/// Runs a check that throws InputError, and reports it at the table.
+/// Runs a check that throws InputError, and reports it at the table, or at one of its keys.
 template <typename Check>
-void check_here(const TomlTable& table, const Check& check) {
+void check_here(const TomlTable& table, const Check& check, const std::string& key = "") {
   try {
     check();
   } catch (const InputError& error) {
-    table.fail(error.what());
+    table.fail(error.what(), key);
   }
 }
 }  // namespace internal

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -30,17 +31,11 @@ std::string toml_quoted(const std::string& text) {
 }
 
 std::string toml_list(const std::vector<double>& values) {
-  std::vector<std::string> texts;
-  texts.reserve(values.size());
-  for (const double value : values) texts.push_back(toml_number(value));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+  return fmt::format("[{}]", fmt::join(transformed(values, toml_number), ", "));
 }
 
 std::string toml_list(const std::vector<std::string>& values) {
-  std::vector<std::string> texts;
-  texts.reserve(values.size());
-  for (const std::string& value : values) texts.push_back(toml_quoted(value));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+  return fmt::format("[{}]", fmt::join(transformed(values, toml_quoted), ", "));
 }
 
 std::string toml_list(const Eigen::Vector3d& values) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -106,12 +107,6 @@ void warn_of_nominal_efforts(RobotSpec& robot) {
         fmt::format("effort limits of {} look like placeholders; measures of force treat them as "
                     "unknown",
                     fmt::join(nominal, ", ")));
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// Returns whether the name of a link indicates a soft pad.

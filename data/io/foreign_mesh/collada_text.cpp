@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "data/io/file_guard.h"
 #include "data/io/graspit/xml_file.h"
 
 namespace thenar {
@@ -47,9 +48,7 @@ class Check {
   }
 
   [[noreturn]] void fail_at(std::ptrdiff_t offset, const std::string& what) const {
-    const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(
-                                         offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
-    throw DataError(path_, 1 + static_cast<int>(std::count(text_.begin(), end, '\n')), what);
+    throw DataError(path_, line_of_offset(text_, offset), what);
   }
 
   [[nodiscard]] double whole(const pugi::xml_node& node, const char* attribute,

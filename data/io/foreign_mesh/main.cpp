@@ -14,7 +14,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "base/error.h"
 #include "data/io/foreign_mesh/parsers.h"
 #include "data/io/mesh/bounded_process.h"
 #include "data/io/mesh/foreign_mesh.h"

@@ -1,7 +1,5 @@
 #include "data/io/graspit/graspit_link.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -9,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/graspit/xml_file.h"
 
@@ -16,15 +15,7 @@ namespace thenar {
 namespace {
 
 bool is_xml(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".xml";
-}
-
-Eigen::Vector3d vector3(const XmlFile& file, const pugi::xml_node& node) {
-  const std::vector<double> v = file.numbers(node, 3);
-  return kGraspitLength * Eigen::Vector3d(v[0], v[1], v[2]);
+  return lower_case(std::filesystem::path(path).extension()) == ".xml";
 }
 
 /// Inertia per mass [m^2]; the file states it in mm^2.
@@ -67,11 +58,10 @@ void read_geometry(const XmlFile& file, GraspitLink& body) {
   if (!(body.geometry_scale > 0)) file.fail(geometry, "wanted its scale > 0");
   // Pose of the mesh in the link: a transform, or three lengths.
   const pugi::xml_node offset = file.root().child("geometryOffset");
-  if (!offset.child("transform").empty()) {
+  if (!offset.child("transform").empty())
     body.X_LG = graspit_transform(file, offset, body.warnings);
-  } else if (offset) {
-    body.X_LG.p = vector3(file, offset);
-  }
+  else if (offset)
+    body.X_LG.p = kGraspitLength * file.vector3(offset);
 }
 
 /// Reads one element of a body; unknown elements become warnings.
@@ -83,7 +73,7 @@ void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitLink& 
   } else if (name == "mass") {
     body.mass = kGraspitMass * file.numbers(node, 1)[0];
   } else if (name == "cog") {
-    body.com = vector3(file, node);
+    body.com = kGraspitLength * file.vector3(node);
   } else if (name == "inertia_matrix") {
     body.inertia = inertia_per_mass(file, node, body.warnings);
   } else if (node.type() == pugi::node_element) {
@@ -105,11 +95,8 @@ GraspitLink read_graspit_link(const std::string& path) {
   read_geometry(file, body);
   // Inertia needs a mass.
   if (body.mass < 0) file.fail(file.root().child("mass"), "wanted a <mass> >= 0");
-  if (body.inertia && body.mass > 0) {
-    *body.inertia *= body.mass;
-  } else {
-    body.inertia.reset();
-  }
+  if (body.mass == 0) body.inertia.reset();
+  if (body.inertia) *body.inertia *= body.mass;
   return body;
 }
 

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kRotationError = 1e-3;  // Error of a rotation that rounding in a file explains [1]
 
-Eigen::Vector3d metres(double x, double y, double z) {
-  return kGraspitLength * Eigen::Vector3d(x, y, z);
-}
-
 Mat3<double> quaternion(const XmlFile& file, const pugi::xml_node& node,
                         const std::vector<double>& v) {
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
@@ -84,10 +80,10 @@ Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
     if (step.type() != pugi::node_element) continue;
     if (name == "fullTransform") {
       const std::vector<double> v = file.numbers(step, 7);
-      X = X * Pose<double>{quaternion(file, step, v), metres(v[4], v[5], v[6])};
+      const Vec3<double> place = kGraspitLength * Vec3<double>(v[4], v[5], v[6]);
+      X = X * Pose<double>{quaternion(file, step, v), place};
     } else if (name == "translation") {
-      const std::vector<double> v = file.numbers(step, 3);
-      X = X * Pose<double>{Mat3<double>::Identity(), metres(v[0], v[1], v[2])};
+      X = X * Pose<double>{Mat3<double>::Identity(), kGraspitLength * file.vector3(step)};
     } else if (name == "rotation") {
       X = X * Pose<double>{turn(file, step), Vec3<double>::Zero()};
     } else if (name == "rotationMatrix") {

@@ -1,7 +1,6 @@
 #include "data/io/graspit/xml_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -12,16 +11,11 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/words.h"
 #include "data/io/file_guard.h"
 
 namespace thenar {
 namespace {
-
-int line_at(const std::string& text, std::ptrdiff_t offset) {
-  const auto end = text.begin() +
-                   std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
 
 /// Text in UTF-8: unchanged, or converted from Latin-1, in which older Windows programs wrote.
 std::string in_utf8(std::string text) {
@@ -29,12 +23,6 @@ std::string in_utf8(std::string text) {
   std::wstring wide;
   for (const char c : text) wide += static_cast<wchar_t>(static_cast<unsigned char>(c));
   return pugi::as_utf8(wide);
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 void rename(const pugi::xml_node& top, const std::map<std::string, std::string>& names) {
@@ -61,7 +49,7 @@ XmlFile::XmlFile(std::string text, std::string path)
   text_ = in_utf8(std::move(text_));
   const pugi::xml_parse_result result = document_->xml.load_buffer(
       text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
-  if (!result) throw DataError(path_, line_at(text_, result.offset), result.description());
+  if (!result) throw DataError(path_, line_of_offset(text_, result.offset), result.description());
   // Positions of line ends, to find lines by bisection.
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
     document_->line_ends.push_back(static_cast<std::ptrdiff_t>(at));
@@ -120,6 +108,11 @@ std::vector<double> XmlFile::numbers(const pugi::xml_node& node, int count) cons
   if (count > 0 && static_cast<int>(found.size()) != count)
     fail(node, fmt::format("wanted {} numbers in <{}>, got {}", count, node.name(), found.size()));
   return found;
+}
+
+Eigen::Vector3d XmlFile::vector3(const pugi::xml_node& node) const {
+  const std::vector<double> v = numbers(node, 3);
+  return {v[0], v[1], v[2]};
 }
 
 std::string XmlFile::not_understood(const pugi::xml_node& node) const {

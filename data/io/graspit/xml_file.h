@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace pugi {
 class xml_node;
 }
@@ -47,6 +49,8 @@ class XmlFile {
   /// @param count  number wanted; 0: any
   /// @throws DataError if their number differs, or one is not a finite number.
   [[nodiscard]] std::vector<double> numbers(const pugi::xml_node& node, int count = 0) const;
+  /// Returns the three numbers in an element.
+  [[nodiscard]] Eigen::Vector3d vector3(const pugi::xml_node& node) const;
 
   /// Returns the warning "path:line: <name> is not understood and was left out".
   [[nodiscard]] std::string not_understood(const pugi::xml_node& node) const;

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "base/file_io.h"
+#include "base/words.h"
 #include "data/io/file_guard.h"
 #include "data/io/mesh/foreign_mesh.h"
 #include "data/io/mesh/polygons.h"
@@ -28,10 +29,7 @@ const MeshFormat* find_format(const std::string& path) {
       {".off", MeshFormat::kOff},     {".gltf", MeshFormat::kGltf}, {".glb", MeshFormat::kGltf},
       {".dae", MeshFormat::kCollada}, {".wrl", MeshFormat::kVrml},  {".vrml", MeshFormat::kVrml},
       {".iv", MeshFormat::kInventor}};
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = formats.find(ending);
+  const auto found = formats.find(lower_case(std::filesystem::path(path).extension().string()));
   return found == formats.end() ? nullptr : &found->second;
 }
 
@@ -57,23 +55,13 @@ bool is_mesh_file(const std::string& path) { return find_format(path) != nullptr
 namespace {
 
 TriangleSoup read_soup(const std::string& path, MeshTime& left) {
+  const MeshFormat format = mesh_format(path);
   const auto text = [&] { return read_guarded(path, GuardedKind::kMesh); };
-  switch (mesh_format(path)) {
-    case MeshFormat::kObj:
-      return triangulate_polygons(parse_obj(text(), path), path);
-    case MeshFormat::kStl:
-      return parse_stl(text(), path);
-    case MeshFormat::kPly:
-      return triangulate_polygons(parse_ply(text(), path), path);
-    case MeshFormat::kOff:
-      return triangulate_polygons(parse_off(text(), path), path);
-    case MeshFormat::kGltf:
-    case MeshFormat::kCollada:
-    case MeshFormat::kVrml:
-    case MeshFormat::kInventor:
-      break;
-  }
-  return read_foreign_mesh(path, mesh_format(path), left);
+  if (format == MeshFormat::kStl) return parse_stl(text(), path);
+  if (format == MeshFormat::kObj) return triangulate_polygons(parse_obj(text(), path), path);
+  if (format == MeshFormat::kPly) return triangulate_polygons(parse_ply(text(), path), path);
+  if (format == MeshFormat::kOff) return triangulate_polygons(parse_off(text(), path), path);
+  return read_foreign_mesh(path, format, left);
 }
 
 /// @throws DataError if the file was never fetched from the store for large files of its repository
@@ -204,21 +192,11 @@ std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh) {
   require(mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < mesh.vertices.cols(),
           "a triangle of the mesh for '{}' has a corner that does not exist", path);
   // Formats that can be written.
-  switch (mesh_format(path)) {
-    case MeshFormat::kObj:
-      return obj(mesh);
-    case MeshFormat::kStl:
-      return stl(mesh);
-    case MeshFormat::kPly:
-      return ply(mesh);
-    case MeshFormat::kOff:
-      return off(mesh);
-    case MeshFormat::kGltf:
-    case MeshFormat::kCollada:
-    case MeshFormat::kVrml:
-    case MeshFormat::kInventor:
-      break;
-  }
+  const MeshFormat format = mesh_format(path);
+  if (format == MeshFormat::kObj) return obj(mesh);
+  if (format == MeshFormat::kStl) return stl(mesh);
+  if (format == MeshFormat::kPly) return ply(mesh);
+  if (format == MeshFormat::kOff) return off(mesh);
   throw InputError(fmt::format("meshes are written as .obj, .stl, .ply or .off, not '{}'", path));
 }
 

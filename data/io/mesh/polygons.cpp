@@ -181,8 +181,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
     // Vertices and faces; everything else is skipped.
     const std::string_view kind = lines.word();
     if (kind == "v") {
-      const double x = lines.number(), y = lines.number(), z = lines.number();
-      found.vertices.emplace_back(x, y, z);
+      found.vertices.push_back(lines.vector3());
     } else if (kind == "f") {
       const std::size_t first = found.corners.size();
       for (std::string_view corner; !(corner = lines.word()).empty();)
@@ -225,8 +224,7 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   // Corners, then faces.
   for (int i = 0; i < corners; ++i) {
     go_on(lines);
-    const double x = lines.number(), y = lines.number(), z = lines.number();
-    found.vertices.emplace_back(x, y, z);
+    found.vertices.push_back(lines.vector3());
   }
   for (int i = 0; i < faces; ++i) {
     go_on(lines);

@@ -14,8 +14,6 @@
 namespace thenar {
 namespace {
 
-// Largest error of the length of a printed quaternion [1]
-constexpr double kQuaternionTolerance = 1e-3;
 constexpr double kRotationTolerance = 1e-9;  // Largest deviation of R R' from the identity [1]
 
 Eigen::Matrix3d read_rows(TomlTable& table) {
@@ -23,15 +21,6 @@ Eigen::Matrix3d read_rows(TomlTable& table) {
   if (!(R * R.transpose()).isIdentity(kRotationTolerance) || R.determinant() < 0)
     table.fail("wanted 'rotation' as the rows of a rotation", "rotation");
   return R;
-}
-
-Eigen::Matrix3d read_quaternion(TomlTable& table) {
-  const std::vector<double> q = table.numbers(Dimension::kNumber, "quaternion_wxyz", 4);
-  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (std::abs(quaternion.norm() - 1) > kQuaternionTolerance)
-    table.fail(fmt::format("wanted 'quaternion_wxyz' of length 1, got {:.6g}", quaternion.norm()),
-               "quaternion_wxyz");
-  return quaternion.normalized().toRotationMatrix();
 }
 
 /// Rotation by roll, pitch, yaw about the fixed x, y, z:  R = Rz Ry Rx.
@@ -119,7 +108,7 @@ Pose<double> read_pose_keys(TomlTable& table) {
   if (std::count(stated.begin(), stated.end(), true) > 1)
     table.fail("wanted one of 'rotation', 'quaternion_wxyz', 'rpy' and 'angle', got several");
   if (rows) X.R = read_rows(table);
-  if (quaternion) X.R = read_quaternion(table);
+  if (quaternion) X.R = table.quaternion("quaternion_wxyz");
   if (rpy) X.R = read_rpy(table);
   if (turn)
     X.R = rotation_about<double>(table.direction("axis"), table.number(Dimension::kAngle, "angle"));

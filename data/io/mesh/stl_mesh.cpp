@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "data/io/mesh/text_lines.h"
 
 namespace thenar {
@@ -57,10 +58,9 @@ class Words {
   /// The next word; empty at the end.
   std::string next() {
     for (; at_ < text_.size() && is_space(text_[at_]); ++at_) line_ += text_[at_] == '\n' ? 1 : 0;
-    std::string word;
-    for (; at_ < text_.size() && !is_space(text_[at_]); ++at_)
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(text_[at_])));
-    return word;
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+    return lower_case(text_.substr(begin, at_ - begin));
   }
 
   /// Skips the name of a solid, which is any words: the rest of the line, or, if everything is on
@@ -99,11 +99,7 @@ class Words {
 
   /// Returns whether `word` is there, in any case.
   [[nodiscard]] bool is_word(std::size_t at, const std::string& word) const {
-    if (at + word.size() > text_.size()) return false;
-    return std::equal(word.begin(), word.end(), text_.begin() + static_cast<std::ptrdiff_t>(at),
-                      [](char a, char b) {
-                        return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-                      });
+    return at < text_.size() && lower_case(text_.substr(at, word.size())) == word;
   }
 
   const std::string& text_;
@@ -138,9 +134,7 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
 /// Returns whether the file is a text. Headers of binary files may begin with "solid", too.
 bool is_text(const std::string& text) {
   if (text.find('\0') != std::string::npos) return false;
-  std::string head = text.substr(0, 200);
-  std::transform(head.begin(), head.end(), head.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string head = lower_case(text.substr(0, 200));
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   return first != std::string::npos && head.compare(first, 5, "solid") == 0;
 }

@@ -57,6 +57,11 @@ double TextLines::number() {
   return value;
 }
 
+Eigen::Vector3d TextLines::vector3() {
+  const double x = number(), y = number(), z = number();
+  return {x, y, z};
+}
+
 int TextLines::whole(int lower, int upper) {
   const double value = number();
   if (value != std::floor(value) || value < lower || value > upper)

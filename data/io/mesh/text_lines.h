@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <Eigen/Core>
+
 namespace thenar {
 
 /// Iterates over lines with content, and over the words of each. Comments from # to the end of a
@@ -24,6 +26,8 @@ class TextLines {
 
   /// Returns the next word as a finite number. @throws DataError
   [[nodiscard]] double number();
+  /// Returns the next three numbers.
+  [[nodiscard]] Eigen::Vector3d vector3();
 
   /// Returns the next word as a whole number in lower..upper. @throws DataError
   [[nodiscard]] int whole(int lower, int upper);

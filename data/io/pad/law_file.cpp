@@ -14,9 +14,7 @@ namespace thenar {
 namespace {
 
 TomlTable law_table(TomlTable& top, const std::string& key) {
-  std::optional<TomlTable> table = top.table(key);
-  if (!table) top.fail(fmt::format("wanted a table [{}]", key));
-  return *table;
+  return top.needed_table(key, fmt::format("wanted a table [{}]", key));
 }
 
 /// A constant of a law: its key without unit, which the file has in SI.
@@ -59,21 +57,12 @@ constexpr std::array<std::pair<const char*, RelativeError LawError::*>, 5> kErro
      {"shear", &LawError::shear}}};
 
 template <typename Constants, std::size_t N>
-void read_constants(TomlTable& table, const std::array<Key<Constants>, N>& keys, Constants& out) {
-  for (const Key<Constants>& key : keys) out.*key.value = table.number(key.dimension, key.base);
-}
-
-template <typename Constants, std::size_t N>
 std::string constants_text(const std::string& title, const std::array<Key<Constants>, N>& keys,
                            const Constants& values) {
   std::string out = fmt::format("\n[{}]\n", title);
-  for (const Key<Constants>& key : keys) {
-    const char* unit = key.dimension == Dimension::kForce    ? "_N"
-                       : key.dimension == Dimension::kLength ? "_m"
-                       : key.dimension == Dimension::kStress ? "_Pa"
-                                                             : "";
-    out += fmt::format("{}{} = {}\n", key.base, unit, toml_number(values.*key.value));
-  }
+  for (const Key<Constants>& key : keys)
+    out +=
+        fmt::format("{} = {}\n", si_key(key.base, key.dimension), toml_number(values.*key.value));
   return out;
 }
 
@@ -116,29 +105,28 @@ void read_evidence(TomlTable& top, LawEvidence& evidence) {
   table.done();
 }
 
-void read_power(TomlTable& top, CalibratedLaws& laws) {
-  TomlTable table = law_table(top, "power_law");
-  read_constants(table, kPowerKeys, laws.power);
-  internal::check_here(table, [&] { (void)PowerLaw(laws.power); });
-  laws.power_error = read_errors(table, "error");
-  table.done();
+/// Reads the constants and the error of a law; the table may hold more.
+template <typename Constants, std::size_t N, typename Check>
+TomlTable read_law(TomlTable& top, const std::string& title,
+                   const std::array<Key<Constants>, N>& keys, const Check& check, Constants& out,
+                   LawError& error) {
+  TomlTable table = law_table(top, title);
+  for (const Key<Constants>& key : keys) out.*key.value = table.number(key.dimension, key.base);
+  internal::check_here(table, [&] { check(out); });
+  error = read_errors(table, "error");
+  return table;
 }
 
-void read_soft_finger(TomlTable& top, CalibratedLaws& laws) {
-  TomlTable table = law_table(top, "soft_finger");
-  read_constants(table, kSoftFingerKeys, laws.soft_finger);
-  internal::check_here(table, [&] { (void)SoftFinger(laws.soft_finger); });
-  laws.soft_finger_error = read_errors(table, "error");
-  table.done();
-}
-
-void read_foundation(TomlTable& top, CalibratedLaws& laws) {
-  TomlTable table = law_table(top, "elastic_foundation");
-  read_constants(table, kFoundationKeys, laws.foundation);
-  internal::check_here(table, [&] { check_foundation(laws.foundation); });
-  laws.foundation_error = read_errors(table, "error");
-  laws.bed_error = read_errors(table, "bed_error");
-  table.done();
+void read_law_tables(TomlTable& top, CalibratedLaws& laws) {
+  const auto power = [](const PowerLawConstants& c) { (void)PowerLaw(c); };
+  read_law(top, "power_law", kPowerKeys, power, laws.power, laws.power_error).done();
+  const auto finger = [](const SoftFingerConstants& c) { (void)SoftFinger(c); };
+  read_law(top, "soft_finger", kSoftFingerKeys, finger, laws.soft_finger, laws.soft_finger_error)
+      .done();
+  TomlTable foundation = read_law(top, "elastic_foundation", kFoundationKeys, check_foundation,
+                                  laws.foundation, laws.foundation_error);
+  laws.bed_error = read_errors(foundation, "bed_error");
+  foundation.done();
 }
 
 std::string error_text(const std::string& title, const LawError& error) {
@@ -167,9 +155,7 @@ CalibratedLaws parse_laws(const std::string& text, const std::string& path) {
     table.done();
   }
   internal::check_here(top, [&] { check_exponential_terms(laws.relaxation, "a pad"); });
-  read_power(top, laws);
-  read_soft_finger(top, laws);
-  read_foundation(top, laws);
+  read_law_tables(top, laws);
   top.done();
   return laws;
 }

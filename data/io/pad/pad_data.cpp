@@ -1,8 +1,10 @@
 #include "data/io/pad/pad_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,7 +39,7 @@ PadDataConstant read_constant(TomlTable& table) {
                               : out.constant == "thickness" || out.constant == "bone_height"
                                   ? Dimension::kLength
                                   : Dimension::kNumber;
-  if (table.has(dimension, "start")) out.start = table.number(dimension, "start");
+  out.start = table.number_if(dimension, "start");
   if (out.constant == "share") out.term = count_in(table, "term", 1, 20);
   out.lower_factor = table.number_or(Dimension::kNumber, "lower_factor", 0.01, Range::kPositive);
   out.upper_factor = table.number_or(Dimension::kNumber, "upper_factor", 100, Range::kPositive);
@@ -47,13 +49,10 @@ PadDataConstant read_constant(TomlTable& table) {
   if (out.upper_factor < 1)
     table.fail(fmt::format("wanted 'upper_factor' of 1 and more, got {:g}", out.upper_factor),
                "upper_factor");
-  if (table.has(Dimension::kNumber, "prior_factor")) {
-    out.prior_factor = table.number(Dimension::kNumber, "prior_factor", Range::kPositive);
-    if (!(*out.prior_factor > 1))
-      table.fail(fmt::format("wanted 'prior_factor' above 1, got {:g}", *out.prior_factor),
-                 "prior_factor");
-  }
-  table.done();
+  out.prior_factor = table.number_if(Dimension::kNumber, "prior_factor", Range::kPositive);
+  if (out.prior_factor && !(*out.prior_factor > 1))
+    table.fail(fmt::format("wanted 'prior_factor' above 1, got {:g}", *out.prior_factor),
+               "prior_factor");
   return out;
 }
 
@@ -69,28 +68,24 @@ std::vector<double> list_of(TomlTable& table, Dimension dimension, const std::st
   return out;
 }
 
-struct MeasuredKey {
-  const char* quantity;
-  Dimension dimension;
-};
 // Keys of measured quantities
-constexpr std::array kMeasuredKeys{MeasuredKey{"indentation", Dimension::kLength},
-                                   MeasuredKey{"force", Dimension::kForce},
-                                   MeasuredKey{"area", Dimension::kArea}};
+constexpr std::array kMeasuredKeys{std::pair{"indentation", Dimension::kLength},
+                                   std::pair{"force", Dimension::kForce},
+                                   std::pair{"area", Dimension::kArea}};
 
 /// Measured numbers in units, with their sds.
 void read_values(TomlTable& table, PadDataRows& rows, const std::string& imposed) {
-  for (const MeasuredKey& each : kMeasuredKeys) {
-    const std::string sd = std::string("sd_") + each.quantity;
-    if (!table.has(each.dimension, sd)) continue;
+  for (const auto& [quantity, dimension] : kMeasuredKeys) {
+    const std::string sd = std::string("sd_") + quantity;
+    if (!table.has(dimension, sd)) continue;
     if (!rows.quantity.empty())
       table.fail(fmt::format("one quantity is measured in a [[press.data]], got sds of {} and {}",
-                             rows.quantity, each.quantity));
-    if (each.quantity == imposed)
+                             rows.quantity, quantity));
+    if (quantity == imposed)
       table.fail(fmt::format("{} is imposed in this press, and has no sd", imposed), sd);
-    rows.quantity = each.quantity;
-    rows.values = list_of(table, each.dimension, each.quantity, rows.loads.size());
-    rows.sds = list_of(table, each.dimension, sd, rows.loads.size());
+    rows.quantity = quantity;
+    rows.values = list_of(table, dimension, quantity, rows.loads.size());
+    rows.sds = list_of(table, dimension, sd, rows.loads.size());
   }
   if (rows.quantity.empty())
     table.fail(
@@ -117,7 +112,6 @@ PadDataRows read_rows(TomlTable& table, bool by_force) {
   }
   rows.source = table.source();
   if (rows.source.empty()) table.fail("measured numbers need a 'source'");
-  table.done();
   return rows;
 }
 
@@ -140,9 +134,8 @@ PadDataPress read_press(TomlTable& table) {
     out.ramp = table.number(Dimension::kTime, "ramp", Range::kPositive);
   else if (pace == "relaxed")
     out.ramp = std::numeric_limits<double>::infinity();
-  for (TomlTable& rows : table.tables("data")) out.rows.push_back(read_rows(rows, out.by_force));
+  table.read_each("data", out.rows, read_rows, out.by_force);
   if (out.rows.empty()) table.fail(fmt::format("press '{}' has no [[press.data]]", out.name));
-  table.done();
   return out;
 }
 
@@ -166,10 +159,9 @@ PadData parse_pad_data(const std::string& text, const std::string& path) {
     out.cells.through = count_in(*cells, "through", out.cells.through, kMaxCells);
     cells->done();
   }
-  for (TomlTable& constant : top.tables("constant"))
-    out.constants.push_back(read_constant(constant));
+  top.read_each("constant", out.constants, read_constant);
   if (out.constants.empty()) top.fail("a fit needs a [[constant]] that is free");
-  for (TomlTable& press : top.tables("press")) out.presses.push_back(read_press(press));
+  top.read_each("press", out.presses, read_press);
   if (out.presses.empty()) top.fail("a fit needs a [[press]] with data");
   top.done();
   return out;

@@ -2,7 +2,6 @@
 
 /// Measured presses of a finger pad, to which its constants are fitted.
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>

@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <array>
 #include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/pad/pad.h"
 #include "data/io/toml_text.h"
@@ -36,9 +36,7 @@ void add(std::string& text, const std::string& key, double value) {
 void add_sources(std::string& text, const std::string& source,
                  const std::vector<std::string>& assumed) {
   if (!source.empty()) add(text, "source", toml_keys(source));
-  std::vector<std::string> keys;
-  for (const std::string& key : assumed) keys.push_back(our_key(key));
-  if (!keys.empty()) add(text, "assumed", toml_list(keys));
+  if (!assumed.empty()) add(text, "assumed", toml_list(transformed(assumed, our_key)));
 }
 
 void add_tissue(std::string& text, const PadTissueSpec& tissue) {
@@ -66,7 +64,7 @@ void add_own_sources(std::string& text, const PadSpec& pad) {
   const std::vector<std::string>& known = known_sources();
   std::string lines;
   for (const std::string& key : keys) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    if (contains(known, key)) continue;
     const auto own = pad.own_sources.find(key);
     add(lines, key, toml_quoted(own == pad.own_sources.end() ? "Unstated" : own->second));
   }

@@ -10,7 +10,6 @@
 
 #include "base/lists.h"
 #include "base/numbers.h"
-#include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/linkage.h"
@@ -48,7 +47,7 @@ std::set<std::string> dofs_between(RobotSpec& robot, const LoopClosure& closure)
   std::vector<std::string> joints;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(joints));
   std::set<std::string> dofs;
-  for (const std::string& joint : joints) dofs.insert(find_joint(robot, joint)->dof);
+  for (const std::string& joint : joints) dofs.insert(find_named(robot.joints, joint)->dof);
   return dofs;
 }
 
@@ -187,7 +186,7 @@ class LoopSolver {
     if (motors_.empty()) return "no motor drives it";
     if (motors_.size() > 1)
       return fmt::format("it is driven by several motors: {}", fmt::join(motors_, ", "));
-    RobotDof motor = *find_dof(robot_, motors_.front());
+    RobotDof motor = *find_named(robot_.dofs, motors_.front());
     // A linkage of one motor without curves.
     const Linkage linkage(robot_, group_, motor.name);
     for (const RobotJoint& joint : robot_.joints)
@@ -263,7 +262,7 @@ class LoopSolver {
       robot_.warnings.push_back(
           fmt::format("'{}' moves from {:.6g} to {:.6g} only: beyond, its linkage does not close",
                       motor.name, motor.lower, motor.upper));
-      RobotDof& dof = *find_dof(robot_, motor.name);
+      RobotDof& dof = *find_named(robot_.dofs, motor.name);
       dof.lower = motor.lower;
       dof.upper = motor.upper;
     }

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/outside_path.h"
-#include "base/units.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/graspit_drives.h"
@@ -60,8 +60,7 @@ class GraspitTranslation {
     const pugi::xml_node approach = top.child("approachDirection");
     robot_.approach_stated = !approach.child("direction").empty();
     if (approach) set_approach(approach);
-    const std::vector<std::string> warnings = unread_.warnings();
-    robot_.warnings.insert(robot_.warnings.end(), warnings.begin(), warnings.end());
+    append_all(robot_.warnings, unread_.warnings());
   }
 
  private:
@@ -98,7 +97,7 @@ class GraspitTranslation {
     link.mass = body.mass;
     link.com = body.com;
     if (body.inertia) link.inertia = *body.inertia;
-    robot_.warnings.insert(robot_.warnings.end(), body.warnings.begin(), body.warnings.end());
+    append_all(robot_.warnings, body.warnings);
     if (body.geometry_file.empty()) return;
     ShapeSpec shape;
     const internal::MeshPlacement placement{body.geometry_scale * Eigen::Matrix3d::Identity(),
@@ -174,13 +173,10 @@ class GraspitTranslation {
 
   void set_approach(const pugi::xml_node& node) {
     internal::note_others(unread_, node, {"referenceLocation", "direction"});
-    if (const pugi::xml_node at = node.child("referenceLocation")) {
-      const std::vector<double> v = file_.numbers(at, 3);
-      robot_.approach.point = kGraspitLength * Eigen::Vector3d(v[0], v[1], v[2]);
-    }
+    if (const pugi::xml_node at = node.child("referenceLocation"))
+      robot_.approach.point = kGraspitLength * file_.vector3(at);
     if (const pugi::xml_node along = node.child("direction")) {
-      const std::vector<double> v = file_.numbers(along, 3);
-      const Eigen::Vector3d direction(v[0], v[1], v[2]);
+      const Eigen::Vector3d direction = file_.vector3(along);
       if (direction.isZero(0)) file_.fail(along, "<direction> has no length");
       robot_.approach.direction = direction.normalized();
     }

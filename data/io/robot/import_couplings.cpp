@@ -76,7 +76,7 @@ FollowerCoupling to_root(const std::vector<FollowerCoupling>& couplings, Followe
 void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& coupling,
             const std::string& path) {
   // The master must exist.
-  const RobotJoint* root = find_joint(robot, coupling.master);
+  const RobotJoint* root = find_named(robot.joints, coupling.master);
   if (root == nullptr)
     throw DataError(path, coupling.line,
                     fmt::format("joint '{}' follows '{}', and there is no such joint", joint.name,
@@ -160,14 +160,6 @@ void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals) {
   }
 }
 
-RobotJoint* find_joint(RobotSpec& robot, const std::string& name) {
-  return find_named(robot.joints, name);
-}
-
-RobotDof* find_dof(RobotSpec& robot, const std::string& name) {
-  return find_named(robot.dofs, name);
-}
-
 void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
                    const std::string& path) {
   // Followers share the degree of freedom of their root; other joints get their own.
@@ -187,10 +179,11 @@ void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& coupli
   }
   // Ranges that followers can follow, and limits that contain their curves.
   for (RobotJoint& joint : robot.joints)
-    if (RobotDof* dof = find_dof(robot, joint.dof); dof != nullptr && dof->name != joint.name)
+    if (RobotDof* dof = find_named(robot.dofs, joint.dof);
+        dof != nullptr && dof->name != joint.name)
       tighten(robot, *dof, joint);
   for (RobotJoint& joint : robot.joints)
-    if (!joint.curve.empty()) widen_limits(joint, *find_dof(robot, joint.dof), 1000);
+    if (!joint.curve.empty()) widen_limits(joint, *find_named(robot.dofs, joint.dof), 1000);
 }
 
 void order_tree(RobotSpec& robot, const std::string& path) {

@@ -13,10 +13,10 @@ namespace thenar::internal {
 struct FollowerCoupling {
   std::string joint;
   std::string master;
-  double ratio = 1;           // [1], [m/rad] or [rad/m]
-  double offset = 0;          // [rad] or [m]
-  int line = 1;               // line in the file, for messages
-  std::vector<double> curve;  // empty: linear
+  double ratio = 1;                // [1], [m/rad] or [rad/m]
+  double offset = 0;               // [rad] or [m]
+  int line = 1;                    // line in the file, for messages
+  std::vector<double> curve = {};  // empty: linear
 };
 
 /// Gives every moving joint that follows none a degree of freedom of its own name (rigid, speed 1),
@@ -40,10 +40,6 @@ struct JointRange {
 /// Widens the limits of a joint by its excess over the range of the degree of freedom that it
 /// follows, evaluated at the given number of intervals.
 void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals);
-
-/// Returns the joint or degree of freedom of that name, or null.
-[[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);
-[[nodiscard]] RobotDof* find_dof(RobotSpec& robot, const std::string& name);
 
 /// Sorts joints so that parents come before children, and puts the base link first; children of one
 /// parent keep their order.

@@ -1,5 +1,6 @@
 #include "data/io/robot/import_mesh.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -35,8 +36,7 @@ bool may_name(const std::string& robot_file, const fs::path& path) {
 std::vector<fs::path> places_of_mesh(const std::string& name, const std::string& robot_file) {
   // Windows paths, too.
   std::string plain = without_scheme(name);
-  for (char& letter : plain)
-    if (letter == '\\') letter = '/';
+  std::replace(plain.begin(), plain.end(), '\\', '/');
   const bool in_package = starts_with(name, "package://") || starts_with(name, "model://");
   if (fs::path(plain).is_absolute() && !in_package) return {plain};
 

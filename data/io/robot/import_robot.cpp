@@ -45,16 +45,9 @@ RobotFileKind kind_of_xml(const XmlFile& file) {
 }
 
 RobotSpec read_kind(const std::string& path, RobotFileKind kind) {
-  switch (kind) {
-    case RobotFileKind::kUrdf:
-      return read_urdf(path);
-    case RobotFileKind::kMjcf:
-      return read_mjcf(path);
-    case RobotFileKind::kGraspit:
-      return read_graspit_robot(path);
-    case RobotFileKind::kToml:
-      break;
-  }
+  if (kind == RobotFileKind::kUrdf) return read_urdf(path);
+  if (kind == RobotFileKind::kMjcf) return read_mjcf(path);
+  if (kind == RobotFileKind::kGraspit) return read_graspit_robot(path);
   return read_robot(path);
 }
 
@@ -127,11 +120,7 @@ RobotSpec import_robot(const std::string& path) {
     if (!contains_warning(said, doubt)) robot.warnings.push_back(std::move(doubt));
   robot.warnings = internal::by_severity(robot.warnings);
   // What remains wrong is an error of the file.
-  try {
-    check_robot(robot);
-  } catch (const InputError& error) {
-    throw DataError(path, 1, error.what());
-  }
+  at_line(path, 1, [&] { check_robot(robot); });
   return robot;
 }
 

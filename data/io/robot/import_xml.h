@@ -11,10 +11,6 @@
 
 #include "data/io/graspit/xml_file.h"
 
-namespace pugi {
-class xml_node;
-}
-
 namespace thenar::internal {
 
 /// Reads finite numbers, separated by spaces or commas.

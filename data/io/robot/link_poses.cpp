@@ -26,14 +26,10 @@ double joint_value(const RobotJoint& joint, const DofValues& dofs) {
 }
 
 Pose<double> joint_motion(const RobotJoint& joint, double value) {
-  switch (joint.kind) {
-    case RobotJointKind::kFixed:
-      break;
-    case RobotJointKind::kRevolute:
-      return {rotation_about<double>(joint.axis, value), Eigen::Vector3d::Zero()};
-    case RobotJointKind::kPrismatic:
-      return {Eigen::Matrix3d::Identity(), value * joint.axis};
-  }
+  if (joint.kind == RobotJointKind::kRevolute)
+    return {rotation_about<double>(joint.axis, value), Eigen::Vector3d::Zero()};
+  if (joint.kind == RobotJointKind::kPrismatic)
+    return {Eigen::Matrix3d::Identity(), value * joint.axis};
   return {};
 }
 

@@ -1,7 +1,6 @@
 #include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -10,9 +9,9 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "base/words.h"
-#include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_source.h"
 
@@ -332,8 +331,7 @@ RobotSpec read_mjcf(const std::string& path) {
   robot.files = digests_of(parts);
   robot.files.merge(meshes.files());
   // Elements that were not read.
-  const std::vector<std::string> warnings = unread.warnings();
-  robot.warnings.insert(robot.warnings.end(), warnings.begin(), warnings.end());
+  append_all(robot.warnings, unread.warnings());
   return robot;
 }
 

@@ -1,6 +1,5 @@
 #include "data/io/robot/mjcf_couplings.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -80,7 +79,7 @@ void MjcfCouplings::couple(const pugi::xml_node& node, const MjcfElement& equali
       (!second.empty() && !has_joint(source_, robot_, node, second)))
     return;
   if (second.empty()) {
-    held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line(), {}});
+    held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line()});
     return;
   }
   // The same polynomial in q2 itself, by Horner's scheme.
@@ -116,12 +115,8 @@ void MjcfCouplings::couple_through_tendon(const pugi::xml_node& node, const Mjcf
   if (follower.coefficient == 0) source_.file.fail(node, "a coefficient of the tendon is zero");
   const double ratio = -leader.coefficient / follower.coefficient;
   const double offset = (a.empty() ? 0 : a[0]) / follower.coefficient;
-  add_coupling({follower.joint,
-                leader.joint,
-                ratio,
-                offset + ref_.at(follower.joint) - ratio * ref_.at(leader.joint),
-                equality.line(),
-                {}},
+  add_coupling({follower.joint, leader.joint, ratio,
+                offset + ref_.at(follower.joint) - ratio * ref_.at(leader.joint), equality.line()},
                node);
 }
 
@@ -132,7 +127,7 @@ void MjcfCouplings::keep_limited_tendons(const std::vector<MjcfActuator>& actuat
     // Travel that the joints alone would allow.
     double travel = 0;
     for (const TendonTerm& term : tendon.terms) {
-      const RobotJoint& joint = *find_joint(robot_, term.joint);
+      const RobotJoint& joint = *find_named(robot_.joints, term.joint);
       travel += std::abs(term.coefficient) * (joint.upper - joint.lower);
     }
     if (tendon.terms.size() != 2 || slack > kMaxTravelShare * travel ||
@@ -165,12 +160,8 @@ void MjcfCouplings::couple_limited(const FixedTendon& tendon, double slack, bool
   }
   // The tendon stays in the middle of its limits.
   const double middle = (tendon.limits->lower + tendon.limits->upper) / 2;
-  couplings_.push_back({follower.joint,
-                        leader.joint,
-                        -leader.coefficient / follower.coefficient,
-                        middle / follower.coefficient,
-                        tendon.line,
-                        {}});
+  couplings_.push_back({follower.joint, leader.joint, -leader.coefficient / follower.coefficient,
+                        middle / follower.coefficient, tendon.line});
   robot_.warnings.push_back(fmt::format(
       "limits of tendon '{}' couple '{}' to '{}', which may differ by {:.3g} rad or m in the "
       "file",
@@ -194,7 +185,7 @@ void MjcfCouplings::add_coupling(const FollowerCoupling& coupling, const pugi::x
 
 void MjcfCouplings::apply() {
   for (const FollowerCoupling& held : held_) {
-    RobotJoint& fixed = *find_joint(robot_, held.joint);
+    RobotJoint& fixed = *find_named(robot_.joints, held.joint);
     fixed.X_PJ = fixed.X_PJ * joint_motion(fixed, held.offset);
     fixed.kind = RobotJointKind::kFixed;
     fixed.lower = fixed.upper = 0;

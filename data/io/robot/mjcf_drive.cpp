@@ -12,7 +12,6 @@
 #include "base/lists.h"
 #include "base/words.h"
 #include "data/io/robot/import_couplings.h"
-#include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_actuators.h"
 #include "data/io/robot/mjcf_couplings.h"
 
@@ -50,8 +49,8 @@ class MjcfDrive {
 
  private:
   void drive_joint(const MjcfActuator& actuator) {
-    const RobotJoint& driven = *find_joint(robot_, actuator.joint);
-    RobotDof* dof = find_dof(robot_, driven.dof);
+    const RobotJoint& driven = *find_named(robot_.joints, actuator.joint);
+    RobotDof* dof = find_named(robot_.dofs, driven.dof);
     if (dof == nullptr) {
       robot_.warnings.push_back(
           fmt::format("actuator '{}' drives joint '{}', which nothing can move: it is left out",
@@ -101,7 +100,7 @@ class MjcfDrive {
   std::map<std::string, double> gradient(const FixedTendon& tendon) {
     std::map<std::string, double> by_dof;
     for (const TendonTerm& term : tendon.terms) {
-      const RobotJoint& spanned = *find_joint(robot_, term.joint);
+      const RobotJoint& spanned = *find_named(robot_.joints, term.joint);
       if (!spanned.dof.empty()) by_dof[spanned.dof] += term.coefficient * spanned.ratio;
     }
     return by_dof;
@@ -115,7 +114,7 @@ class MjcfDrive {
     if (!(squares > 0)) return;
     // One degree of freedom: the actuator is its motor.
     if (by_dof.size() == 1) {
-      RobotDof& dof = *find_dof(robot_, by_dof.begin()->first);
+      RobotDof& dof = *find_named(robot_.dofs, by_dof.begin()->first);
       efforts_[dof.name] += actuator.effort.through(by_dof.begin()->second);
       moved_.insert(dof.name);
       by_dof_[dof.name].push_back(actuator.name);
@@ -147,7 +146,7 @@ class MjcfDrive {
     // A motor with the tendon's name.
     RobotDof shared;
     shared.name = tendon;
-    while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
+    while (find_named(robot_.dofs, shared.name) != nullptr) shared.name += " tendon";
     shared.kind = DriveCoupling::kCompliant;
     shared.speed = 1;
     efforts_[shared.name] = actuator.effort;

@@ -325,22 +325,16 @@ void rename(const pugi::xml_node& top, const std::string& suffix) {
     append(node.attribute("name"), suffix);
 }
 
-bool names_one_of(const pugi::xml_node& top, const Names& names) {
-  for (pugi::xml_node node = top; node; node = next_below(top, node))
-    for (const pugi::xml_attribute attribute : node.attributes()) {
-      const auto kind = names.find(kind_named_by(attribute.name()));
-      if (kind != names.end() && kind->second.count(attribute.value()) > 0) return true;
-    }
-  return false;
-}
-
-void point_to_copies(const pugi::xml_node& top, const Names& names, const std::string& suffix) {
+/// Returns the attributes below an element that name one of some joints and tendons.
+std::vector<pugi::xml_attribute> attributes_naming(const pugi::xml_node& top, const Names& names) {
+  std::vector<pugi::xml_attribute> found;
   for (pugi::xml_node node = top; node; node = next_below(top, node))
     for (const pugi::xml_attribute attribute : node.attributes()) {
       const auto kind = names.find(kind_named_by(attribute.name()));
       if (kind != names.end() && kind->second.count(attribute.value()) > 0)
-        append(attribute, suffix);
+        found.push_back(attribute);
     }
+  return found;
 }
 
 /// Expands <replicate> elements.
@@ -420,14 +414,15 @@ class Replicator {
     for (pugi::xml_node element = section.first_child(); element;) {
       const pugi::xml_node next = element.next_sibling();
       // Copies refer to the copies of joints and tendons.
-      if (names_one_of(element, names)) {
+      if (!attributes_naming(element, names).empty()) {
         // Copied tendons may be named by later sections.
         if (kind == "tendon") names[kind].insert(element.attribute("name").value());
         count_elements(element, elements_in(element) + 1, suffixes.size());
         for (const std::string& suffix : suffixes) {
           pugi::xml_node copied = section.insert_copy_before(element, element);
           append(copied.attribute("name"), suffix);
-          point_to_copies(copied, names, suffix);
+          for (const pugi::xml_attribute attribute : attributes_naming(copied, names))
+            append(attribute, suffix);
         }
         section.remove_child(element);
       }

@@ -12,7 +12,6 @@
 #include "data/io/robot/import_xml.h"
 
 namespace pugi {
-class xml_node;
 struct xml_node_struct;
 }  // namespace pugi
 

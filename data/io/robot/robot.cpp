@@ -78,11 +78,7 @@ Pose<double> pose_at_zero(const RobotSpec& robot, std::string link) {
   Pose<double> X;
   for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
     if (joint->child != link) continue;
-    Pose<double> motion;
-    if (joint->kind == RobotJointKind::kRevolute)
-      motion.R = rotation_about(joint->axis, joint->offset);
-    if (joint->kind == RobotJointKind::kPrismatic) motion.p = joint->offset * joint->axis;
-    X = joint->X_PJ * motion * joint->X_JC * X;
+    X = joint->X_PJ * joint_motion(*joint, joint->offset) * joint->X_JC * X;
     link = joint->parent;
   }
   return X;

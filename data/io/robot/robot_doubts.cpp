@@ -203,8 +203,7 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
 
 void doubt_efforts(RobotSpec& robot) {
   if (robot.dofs.empty()) return;
-  const auto all = [&](const auto& is) { return all_of(robot.dofs, is); };
-  if (all([](const RobotDof& dof) { return dof.max_effort == 0; })) {
+  if (all_of(robot.dofs, [](const RobotDof& dof) { return dof.max_effort == 0; })) {
     const bool said = any_of(robot.warnings, [](const std::string& w) {
       return w.find("unknown effort") != std::string::npos;
     });

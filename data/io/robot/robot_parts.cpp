@@ -11,19 +11,10 @@
 namespace thenar::internal {
 namespace {
 
-/// Dimensions of a joint's numbers: turning or sliding.
-struct Measures {
-  Dimension value, effort, stiffness, damping;
-};
-
 constexpr Measures kTurningMeasures{Dimension::kAngle, Dimension::kMoment,
                                     Dimension::kAngularStiffness, Dimension::kAngularDamping};
 constexpr Measures kSlidingMeasures{Dimension::kLength, Dimension::kForce,
                                     Dimension::kLinearStiffness, Dimension::kLinearDamping};
-
-const Measures& measures_of(RobotJointKind kind) {
-  return kind == RobotJointKind::kPrismatic ? kSlidingMeasures : kTurningMeasures;
-}
 
 void read_range(TomlTable& table, Dimension dimension, double& lower, double& upper) {
   if (!table.has(dimension, "range")) return;
@@ -40,7 +31,7 @@ void read_drive(TomlTable& table, RobotJoint& joint) {
   joint.dof = table.text_or("dof", "");
   joint.ratio = table.number_or(Dimension::kNumber, "ratio", 1);
   // Numbers in the units of its kind.
-  const Measures& in = measures_of(joint.kind);
+  const Measures& in = measures_of(slides(joint));
   read_range(table, in.value, joint.lower, joint.upper);
   joint.offset = table.number_or(in.value, "offset", 0);
   if (table.has("curve")) joint.curve = table.numbers(Dimension::kNumber, "curve");
@@ -79,16 +70,15 @@ RobotJoint read_row(TomlTable& table) {
   RobotJoint joint;
   joint.name = table.text("joint");
   read_drive(table, joint);
-  joint.X_JC = dh_motion({table.number_or(Dimension::kAngle, "theta", 0),
-                          table.number_or(Dimension::kLength, "d", 0),
-                          table.number_or(Dimension::kLength, "a", 0),
-                          table.number_or(Dimension::kAngle, "alpha", 0)});
+  joint.X_JC = dh_motion(read_dh_row(table));
   table.done();
   check_here(table, [&] { check_joint(joint); });
   return joint;
 }
 
 }  // namespace
+
+const Measures& measures_of(bool slides) { return slides ? kSlidingMeasures : kTurningMeasures; }
 
 Eigen::Vector3d read_unit(TomlTable& table, const std::string& key) {
   const Eigen::Vector3d v = table.vector(Dimension::kNumber, key);
@@ -104,8 +94,7 @@ RobotLink read_robot_link(TomlTable& table, const std::string& path) {
   link.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
   link.com = table.vector_or(Dimension::kLength, "com", {0, 0, 0});
   link.inertia = read_inertia(table);
-  for (TomlTable& shape : table.tables("shape"))
-    link.shapes.push_back(read_shape_table(shape, path));
+  table.read_each("shape", link.shapes, read_shape_table, path);
   table.done();
   check_here(table, [&] { check_link(link); });
   return link;
@@ -148,11 +137,11 @@ RobotDof read_robot_dof(TomlTable& table) {
   if (table.has("kind")) dof.kind = table.choice("kind", kDriveCouplingNames);
   // Numbers in the units of its joints.
   const bool slides = table.has(Dimension::kLength, "range");
-  const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;
+  const Measures& in = measures_of(slides);
   read_range(table, in.value, dof.lower, dof.upper);
   const double rate = table.number_or(Dimension::kNumber, "rate", 0);
   dof.speed = table.number_or(Dimension::kNumber, "speed", rate);
-  if (table.has(in.value, "open")) dof.open = table.number(in.value, "open");
+  dof.open = table.number_if(in.value, "open");
   dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
   dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);
   dof.stiffness = table.number_or(in.stiffness, "stiffness", 0, Range::kNotNegative);

@@ -27,6 +27,14 @@ void check_link(const RobotLink& link);
 void check_joint(const RobotJoint& joint);
 void check_dof(const RobotDof& dof);
 
+/// Dimensions of the numbers of a joint or motor.
+struct Measures {
+  Dimension value, effort, stiffness, damping;
+};
+
+/// Returns the dimensions of what slides, or of what turns.
+[[nodiscard]] const Measures& measures_of(bool slides);
+
 /// Reads a direction as written; normalises it unless it is a unit vector up to rounding.
 [[nodiscard]] Eigen::Vector3d read_unit(TomlTable& table, const std::string& key);
 

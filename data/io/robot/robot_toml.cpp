@@ -13,14 +13,9 @@ namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
+using internal::Measures;
+using internal::measures_of;
 using internal::same_bits;
-
-/// Suffixes of keys for turning and for sliding.
-struct Units {
-  const char *value, *effort, *stiffness, *damping;
-};
-constexpr Units kTurningUnits{"_rad", "_Nm", "_Nm_per_rad", "_Nms_per_rad"};
-constexpr Units kSlidingUnits{"_m", "_N", "_N_per_m", "_Ns_per_m"};
 
 void add(std::string& text, const std::string& line) { text += line + "\n"; }
 
@@ -81,7 +76,7 @@ std::string link_lines(const RobotLink& link, const RobotLink& stated) {
 
 std::string joint_lines(const RobotJoint& joint) {
   // Names and kind.
-  const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSlidingUnits : kTurningUnits;
+  const Measures& in = measures_of(slides(joint));
   std::string text = "\n[[joint]]\nname = " + toml_quoted(joint.name) + "\n";
   add(text, "kind = " + toml_quoted(name_of(joint.kind)));
   add(text, "parent = " + toml_quoted(joint.parent));
@@ -92,14 +87,14 @@ std::string joint_lines(const RobotJoint& joint) {
   if (!same_bits(joint.axis, Vector3d(0, 0, 1))) add(text, "axis = " + toml_list(joint.axis));
   // Limits, and the numbers that differ from the reader's defaults.
   if (joint.kind != RobotJointKind::kFixed || joint.lower != 0 || joint.upper != 0)
-    add(text, fmt::format("range{} = {}", in.value,
+    add(text, fmt::format("{} = {}", si_key("range", in.value),
                           toml_list(std::vector<double>{joint.lower, joint.upper})));
-  add_number(text, std::string("offset") + in.value, joint.offset);
+  add_number(text, si_key("offset", in.value), joint.offset);
   if (!joint.curve.empty()) add(text, "curve = " + toml_list(joint.curve));
-  add_number(text, std::string("rest") + in.value, joint.rest);
-  add_number(text, std::string("damping") + in.damping, joint.damping);
-  add_number(text, std::string("friction") + in.effort, joint.friction);
-  add_number(text, std::string("stiffness") + in.stiffness, joint.stiffness);
+  add_number(text, si_key("rest", in.value), joint.rest);
+  add_number(text, si_key("damping", in.damping), joint.damping);
+  add_number(text, si_key("friction", in.effort), joint.friction);
+  add_number(text, si_key("stiffness", in.stiffness), joint.stiffness);
   // Frames at both ends.
   add_pose(text, "frame", joint.X_PJ);
   add_pose(text, "child_frame", joint.X_JC);
@@ -116,19 +111,19 @@ std::string speed_line(const RobotDof& dof, bool closing_stated, bool closing_gu
   return text;
 }
 
-std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& in,
+std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Measures& in,
                       const std::string& speed) {
   std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
   add(text, fmt::format("kind = \"{}\"", name_in(kDriveCouplingNames, dof.kind)));
-  add(text,
-      fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
+  add(text, fmt::format("{} = {}", si_key("range", in.value),
+                        toml_list(std::vector<double>{dof.lower, dof.upper})));
   text += speed;
   if (dof.open)
-    add(text, fmt::format("open{} = {}{}", in.value, toml_number(*dof.open),
+    add(text, fmt::format("{} = {}{}", si_key("open", in.value), toml_number(*dof.open),
                           mark(dof.open != stated.open)));
-  add_number(text, std::string("max_effort") + in.effort, dof.max_effort);
-  add_number(text, std::string("breakaway") + in.effort, dof.breakaway);
-  add_number(text, std::string("stiffness") + in.stiffness, dof.stiffness);
+  add_number(text, si_key("max_effort", in.effort), dof.max_effort);
+  add_number(text, si_key("breakaway", in.effort), dof.breakaway);
+  add_number(text, si_key("stiffness", in.stiffness), dof.stiffness);
   if (!dof.backdrivable) add(text, "backdrive = \"held\"");
   if (dof.nominal_effort) add(text, "effort_is = \"nominal\"");
   return text;
@@ -170,17 +165,14 @@ void require_link_size(const RobotLink& link) {
 void require_joint_size(const RobotJoint& joint) {
   const std::string whose = fmt::format("joint '{}'", joint.name);
   // Dimensions by the kind of joint.
-  const bool slides = joint.kind == RobotJointKind::kPrismatic;
-  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle;
-  require_size(joint.lower, value, whose, "lower limit");
-  require_size(joint.upper, value, whose, "upper limit");
-  require_size(joint.offset, value, whose, "offset");
-  require_size(joint.rest, value, whose, "rest");
-  require_size(joint.damping, slides ? Dimension::kLinearDamping : Dimension::kAngularDamping,
-               whose, "damping");
-  require_size(joint.friction, slides ? Dimension::kForce : Dimension::kMoment, whose, "friction");
-  require_size(joint.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
-               whose, "stiffness");
+  const Measures& in = measures_of(slides(joint));
+  require_size(joint.lower, in.value, whose, "lower limit");
+  require_size(joint.upper, in.value, whose, "upper limit");
+  require_size(joint.offset, in.value, whose, "offset");
+  require_size(joint.rest, in.value, whose, "rest");
+  require_size(joint.damping, in.damping, whose, "damping");
+  require_size(joint.friction, in.effort, whose, "friction");
+  require_size(joint.stiffness, in.stiffness, whose, "stiffness");
   require_size(joint.ratio, Dimension::kNumber, whose, "ratio");
   for (const double each : joint.curve) require_size(each, Dimension::kNumber, whose, "curve");
   require_size(joint.X_PJ.p, whose, "position");
@@ -189,15 +181,13 @@ void require_joint_size(const RobotJoint& joint) {
 
 void require_dof_size(const RobotDof& dof, bool slides) {
   const std::string whose = fmt::format("degree of freedom '{}'", dof.name);
-  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle,
-                  effort = slides ? Dimension::kForce : Dimension::kMoment;
-  require_size(dof.lower, value, whose, "lower limit");
-  require_size(dof.upper, value, whose, "upper limit");
+  const Measures& in = measures_of(slides);
+  require_size(dof.lower, in.value, whose, "lower limit");
+  require_size(dof.upper, in.value, whose, "upper limit");
   require_size(dof.speed, Dimension::kNumber, whose, "speed");
-  require_size(dof.max_effort, effort, whose, "effort");
-  require_size(dof.breakaway, effort, whose, "breakaway torque");
-  require_size(dof.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
-               whose, "stiffness");
+  require_size(dof.max_effort, in.effort, whose, "effort");
+  require_size(dof.breakaway, in.effort, whose, "breakaway torque");
+  require_size(dof.stiffness, in.stiffness, whose, "stiffness");
 }
 
 void require_sizes(const RobotSpec& robot) {
@@ -228,8 +218,7 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     text += link_lines(robot.links[i], before.links[i]);
   for (std::size_t i = 0; i < robot.dofs.size(); ++i)
-    text += dof_lines(robot.dofs[i], before.dofs[i],
-                      slides(robot, robot.dofs[i]) ? kSlidingUnits : kTurningUnits,
+    text += dof_lines(robot.dofs[i], before.dofs[i], measures_of(slides(robot, robot.dofs[i])),
                       speed_line(robot.dofs[i], robot.closing_stated, closing_guessed));
   for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
   return text;
@@ -286,21 +275,15 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   if (top.has("open_loops")) robot.open_loops = top.texts("open_loops");
   // Approach and parts.
   read_approach(top, robot);
-  for (TomlTable& table : top.tables("link"))
-    robot.links.push_back(internal::read_robot_link(table, path));
+  top.read_each("link", robot.links, internal::read_robot_link, path);
   read_dofs(top, robot);
-  for (TomlTable& table : top.tables("joint"))
-    robot.joints.push_back(internal::read_robot_joint(table));
+  top.read_each("joint", robot.joints, internal::read_robot_joint);
   for (TomlTable& table : top.tables("dh_chain"))
     for (RobotJoint& joint : internal::read_robot_dh_chain(table))
       robot.joints.push_back(std::move(joint));
   top.done();
   // Errors of the whole robot are reported at the file.
-  try {
-    check_robot(robot);
-  } catch (const InputError& error) {
-    top.fail(error.what());
-  }
+  internal::check_here(top, [&] { check_robot(robot); });
   return robot;
 }
 

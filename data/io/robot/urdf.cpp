@@ -163,12 +163,8 @@ class UrdfTranslation {
       ours.friction = joint.dynamics->friction;
     }
     if (joint.mimic && ours.kind != RobotJointKind::kFixed)
-      couplings_.push_back({joint.name,
-                            joint.mimic->joint_name,
-                            joint.mimic->multiplier,
-                            joint.mimic->offset,
-                            file_.line(node),
-                            {}});
+      couplings_.push_back({joint.name, joint.mimic->joint_name, joint.mimic->multiplier,
+                            joint.mimic->offset, file_.line(node)});
     robot_.joints.push_back(std::move(ours));
   }
 

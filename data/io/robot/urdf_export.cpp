@@ -1,4 +1,3 @@
-#include "base/lists.h"
 #include "data/io/robot/urdf.h"
 
 #include <algorithm>
@@ -23,73 +22,67 @@ using internal::leader_of;
 using internal::line_of;
 using internal::losses_in_urdf;
 
-std::string numbers(const Eigen::Vector3d& v) {
-  return fmt::format("{} {} {}", v.x(), v.y(), v.z());
-}
+/// A value of an attribute, in text.
+struct AttributeText {
+  AttributeText(const std::string& value) : text(value) {}         // NOLINT: converts
+  AttributeText(double value) : text(fmt::format("{}", value)) {}  // NOLINT: converts
+  AttributeText(const Eigen::Vector3d& v)                          // NOLINT: converts
+      : text(fmt::format("{} {} {}", v.x(), v.y(), v.z())) {}
 
-void set(pugi::xml_node& node, const char* attribute, const std::string& value) {
-  node.append_attribute(attribute) = value.c_str();
-}
+  std::string text;
+};
+using AttributeList = std::vector<std::pair<const char*, AttributeText>>;
 
-void set(pugi::xml_node& node, const char* attribute, double value) {
-  set(node, attribute, fmt::format("{}", value));
+/// Appends an element with attributes, and returns it.
+pugi::xml_node append(pugi::xml_node& parent, const char* element,
+                      const AttributeList& attributes) {
+  pugi::xml_node node = parent.append_child(element);
+  for (const auto& [name, value] : attributes) node.append_attribute(name) = value.text.c_str();
+  return node;
 }
 
 void append_origin(pugi::xml_node& node, const Pose<double>& X) {
-  pugi::xml_node origin = node.append_child("origin");
-  set(origin, "xyz", numbers(X.p));
-  set(origin, "rpy", numbers(roll_pitch_yaw(X.R)));
+  append(node, "origin", {{"xyz", X.p}, {"rpy", roll_pitch_yaw(X.R)}});
 }
 
 void append_mass(pugi::xml_node& node, const RobotLink& link, const Pose<double>& X) {
   pugi::xml_node inertial = node.append_child("inertial");
   // About the centre of mass, in the axes of the URDF link.
   append_origin(inertial, {Eigen::Matrix3d::Identity(), X * link.com});
-  pugi::xml_node mass = inertial.append_child("mass");
-  set(mass, "value", link.mass);
+  append(inertial, "mass", {{"value", link.mass}});
   const Eigen::Matrix3d I = X.R * link.inertia * X.R.transpose();
-  pugi::xml_node inertia = inertial.append_child("inertia");
-  set(inertia, "ixx", I(0, 0));
-  set(inertia, "ixy", I(0, 1));
-  set(inertia, "ixz", I(0, 2));
-  set(inertia, "iyy", I(1, 1));
-  set(inertia, "iyz", I(1, 2));
-  set(inertia, "izz", I(2, 2));
+  append(inertial, "inertia",
+         {{"ixx", I(0, 0)},
+          {"ixy", I(0, 1)},
+          {"ixz", I(0, 2)},
+          {"iyy", I(1, 1)},
+          {"iyz", I(1, 2)},
+          {"izz", I(2, 2)}});
 }
 
-/// Appends geometry for contact and for display, each filled by `fill`.
-template <typename Fill>
-void append_geometry(pugi::xml_node& link, const Pose<double>& X, const Fill& fill) {
+/// Appends geometry of one shape, for contact and for display.
+void append_geometry(pugi::xml_node& link, const Pose<double>& X, const char* shape,
+                     const AttributeList& attributes) {
   for (const char* use : {"visual", "collision"}) {
     pugi::xml_node node = link.append_child(use);
     append_origin(node, X);
     pugi::xml_node geometry = node.append_child("geometry");
-    fill(geometry);
+    append(geometry, shape, attributes);
   }
 }
 
 void append_sphere(pugi::xml_node& link, const Pose<double>& X, double radius) {
-  append_geometry(link, X, [&](pugi::xml_node& geometry) {
-    pugi::xml_node sphere = geometry.append_child("sphere");
-    set(sphere, "radius", radius);
-  });
+  append_geometry(link, X, "sphere", {{"radius", radius}});
 }
 
 void append_cylinder(pugi::xml_node& link, const Pose<double>& X, double radius, double length) {
-  append_geometry(link, X, [&](pugi::xml_node& geometry) {
-    pugi::xml_node cylinder = geometry.append_child("cylinder");
-    set(cylinder, "radius", radius);
-    set(cylinder, "length", length);
-  });
+  append_geometry(link, X, "cylinder", {{"radius", radius}, {"length", length}});
 }
 
 void append_mesh(pugi::xml_node& link, const Pose<double>& X, const std::string& file,
                  double scale) {
-  append_geometry(link, X, [&](pugi::xml_node& geometry) {
-    pugi::xml_node mesh = geometry.append_child("mesh");
-    set(mesh, "filename", file);
-    set(mesh, "scale", numbers(Eigen::Vector3d::Constant(scale)));
-  });
+  const Eigen::Vector3d scales = Eigen::Vector3d::Constant(scale);
+  append_geometry(link, X, "mesh", {{"filename", file}, {"scale", scales}});
 }
 
 /// The text of a comment, which must not contain "--".
@@ -108,7 +101,7 @@ class Export {
     pugi::xml_document document;
     // Links and joints.
     pugi::xml_node top = document.append_child("robot");
-    set(top, "name", robot_.name);
+    top.append_attribute("name") = robot_.name.c_str();
     out_.warnings = losses_in_urdf(robot_);
     for (const RobotLink& link : robot_.links) append_link(top, link);
     for (const RobotJoint& joint : robot_.joints) append_joint(top, joint);
@@ -131,8 +124,7 @@ class Export {
   }
 
   void append_link(pugi::xml_node& top, const RobotLink& link) {
-    pugi::xml_node node = top.append_child("link");
-    set(node, "name", link.name);
+    pugi::xml_node node = append(top, "link", {{"name", link.name}});
     const Pose<double> X = X_UL(link.name);
     if (link.mass > 0) append_mass(node, link, X);
     for (const ShapeSpec& shape : link.shapes) append_shape(node, shape, X * shape.X_BS, link.name);
@@ -145,10 +137,7 @@ class Export {
     if (shape.kind == ShapeKind::kSphere) {
       append_sphere(link, X, s.x());
     } else if (shape.kind == ShapeKind::kBox) {
-      append_geometry(link, X, [&](pugi::xml_node& geometry) {
-        pugi::xml_node box = geometry.append_child("box");
-        set(box, "size", numbers(s));
-      });
+      append_geometry(link, X, "box", {{"size", s}});
     } else if (shape.kind == ShapeKind::kCylinder) {
       append_cylinder(link, X, s.x(), s.y());
       // A capsule becomes a cylinder and two spheres.
@@ -180,24 +169,18 @@ class Export {
   }
 
   void append_joint(pugi::xml_node& top, const RobotJoint& joint) {
-    pugi::xml_node node = top.append_child("joint");
     // Names, kind and frames.
-    set(node, "name", joint.name);
-    set(node, "type", name_of(joint.kind));
+    pugi::xml_node node =
+        append(top, "joint", {{"name", joint.name}, {"type", name_of(joint.kind)}});
     append_origin(node, X_UL(joint.parent) * joint.X_PJ);
-    pugi::xml_node parent = node.append_child("parent"), child = node.append_child("child");
-    set(parent, "link", joint.parent);
-    set(child, "link", joint.child);
+    append(node, "parent", {{"link", joint.parent}});
+    append(node, "child", {{"link", joint.child}});
     if (joint.kind == RobotJointKind::kFixed) return;
     // Axis, limits and passive torques.
-    pugi::xml_node axis = node.append_child("axis");
-    set(axis, "xyz", numbers(joint.axis));
+    append(node, "axis", {{"xyz", joint.axis}});
     append_limit(node, joint);
-    if (joint.damping != 0 || joint.friction != 0) {
-      pugi::xml_node dynamics = node.append_child("dynamics");
-      set(dynamics, "damping", joint.damping);
-      set(dynamics, "friction", joint.friction);
-    }
+    if (joint.damping != 0 || joint.friction != 0)
+      append(node, "dynamics", {{"damping", joint.damping}, {"friction", joint.friction}});
     if (!joint.dof.empty()) append_mimic(node, joint);
   }
 
@@ -213,11 +196,8 @@ class Export {
         lower = std::max(lower, std::min(a, b));
         upper = std::min(upper, std::max(a, b));
       }
-    pugi::xml_node limit = node.append_child("limit");
-    set(limit, "lower", lower);
-    set(limit, "upper", upper);
-    set(limit, "effort", effort);
-    set(limit, "velocity", velocity);
+    append(node, "limit",
+           {{"lower", lower}, {"upper", upper}, {"effort", effort}, {"velocity", velocity}});
   }
 
   /// Mimics the leader: v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0)
@@ -227,10 +207,10 @@ class Export {
     if (&first == &joint) return;
     const CouplingLine line = line_of(robot_, joint);
     const double ratio = line.ratio / first.ratio;
-    pugi::xml_node mimic = node.append_child("mimic");
-    set(mimic, "joint", first.name);
-    set(mimic, "multiplier", ratio);
-    set(mimic, "offset", line.offset - ratio * first.offset);
+    append(node, "mimic",
+           {{"joint", first.name},
+            {"multiplier", ratio},
+            {"offset", line.offset - ratio * first.offset}});
   }
 
   const RobotSpec& robot_;

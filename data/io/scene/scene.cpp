@@ -18,7 +18,6 @@ SceneBodySpec read_scene_body(TomlTable& table, const SceneSpec& scene) {
   body.placed = internal::read_placed_body(table, scene.path, scene.materials);
   body.joint = internal::read_scene_joint(table, JointKind::kFree);
   body.velocity = internal::read_scene_velocity(table, body.joint.kind);
-  table.done();
   return body;
 }
 
@@ -50,7 +49,6 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
   hand.placed.posture = internal::read_posture(table);
   hand.joint = internal::read_scene_joint(table, JointKind::kWeld);
   hand.velocity = internal::read_scene_velocity(table, hand.joint.kind);
-  table.done();
   return hand;
 }
 
@@ -203,31 +201,22 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   scene.materials = internal::read_materials_key(top, scene.folder);
   if (top.has("camera")) scene.camera = internal::read_camera(top);
   // Bodies and hands, and what acts on them.
-  for (TomlTable& table : top.tables("hand")) scene.hands.push_back(read_scene_hand(table, scene));
-  for (TomlTable& table : top.tables("body")) scene.bodies.push_back(read_scene_body(table, scene));
-  for (TomlTable& table : top.tables("force"))
-    scene.forces.push_back(internal::read_scene_force(table));
-  for (TomlTable& table : top.tables("drive"))
-    scene.drives.push_back(internal::read_scene_drive(table, scene.folder));
+  top.read_each("hand", scene.hands, read_scene_hand, scene);
+  top.read_each("body", scene.bodies, read_scene_body, scene);
+  top.read_each("force", scene.forces, internal::read_scene_force);
+  top.read_each("drive", scene.drives, internal::read_scene_drive, scene.folder);
   for (const bool tensions : {true, false})
-    for (TomlTable& table : top.tables(tensions ? "tendon" : "muscle"))
-      scene.muscles.push_back(internal::read_scene_muscle(table, tensions, scene.folder));
-  for (TomlTable& table : top.tables("friction"))
-    scene.frictions.push_back(internal::read_scene_friction(table));
-  for (TomlTable& table : top.tables("apart"))
-    scene.apart.push_back(internal::read_scene_apart(table));
-  for (TomlTable& table : top.tables("compliance"))
-    scene.compliances.push_back(internal::read_scene_compliance(table));
-  for (TomlTable& table : top.tables("ligament"))
-    scene.ligaments.push_back(internal::read_scene_ligament(table));
-  for (TomlTable& table : top.tables("bushing"))
-    scene.bushings.push_back(internal::read_scene_bushing(table));
-  for (TomlTable& table : top.tables("pad"))
-    scene.pads.push_back(internal::read_scene_pad(table, scene.folder));
+    top.read_each(tensions ? "tendon" : "muscle", scene.muscles, internal::read_scene_muscle,
+                  tensions, scene.folder);
+  top.read_each("friction", scene.frictions, internal::read_scene_friction);
+  top.read_each("apart", scene.apart, internal::read_scene_apart);
+  top.read_each("compliance", scene.compliances, internal::read_scene_compliance);
+  top.read_each("ligament", scene.ligaments, internal::read_scene_ligament);
+  top.read_each("bushing", scene.bushings, internal::read_scene_bushing);
+  top.read_each("pad", scene.pads, internal::read_scene_pad, scene.folder);
   // Time.
-  std::optional<TomlTable> stepping = top.table("stepping");
-  if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");
-  scene.stepping = internal::read_stepping(*stepping);
+  TomlTable stepping = top.needed_table("stepping", "a scene needs [stepping] with its 'duration'");
+  scene.stepping = internal::read_stepping(stepping);
   top.done();
   check_scene_spec(scene);
   return scene;
@@ -236,19 +225,17 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
 SceneSpec read_scene(const std::string& path) {
   SceneSpec scene = parse_scene(read_text_file(path), path);
   scene.files = digests_of({path});
-  if (!scene.materials_file.empty())
-    scene.files.merge(
-        digests_of({(std::filesystem::path(scene.folder) / scene.materials_file).string()}));
+  const auto add_linked = [&](const std::string& file) {
+    if (!file.empty())
+      scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / file).string()}));
+  };
+  add_linked(scene.materials_file);
   scene.files.insert(scene.materials.files.begin(), scene.materials.files.end());
   for (const SceneBodySpec& body : scene.bodies)
     scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
   for (const ScenePadSpec& pad : scene.pads) scene.files.insert(pad.files.begin(), pad.files.end());
-  const auto add_table = [&](const std::string& file) {
-    if (!file.empty())
-      scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / file).string()}));
-  };
-  for (const SceneMuscleSpec& muscle : scene.muscles) add_table(muscle.file);
-  for (const SceneDriveSpec& drive : scene.drives) add_table(drive.target_file);
+  for (const SceneMuscleSpec& muscle : scene.muscles) add_linked(muscle.file);
+  for (const SceneDriveSpec& drive : scene.drives) add_linked(drive.target_file);
   return scene;
 }
 

@@ -180,14 +180,4 @@ inline constexpr double kMostSamples = 1e6;
 /// @throws DataError at the line of the part.
 void check_scene_spec(const SceneSpec& scene);
 
-/// Calls `work`; what it finds wrong is an error at a line of the scene's file.
-template <typename Work>
-auto at_line(const std::string& path, int line, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw DataError(path, line, error.what());
-  }
-}
-
 }  // namespace thenar

@@ -37,7 +37,6 @@ SceneBushingSpec read_scene_bushing(TomlTable& table) {
     table.fail("[[bushing]] needs a 'translation' or 'rotation' that is not zero");
   out.stiffening = read_stiffening(
       table, std::isfinite(out.translation_toe) || std::isfinite(out.rotation_toe), out.stiffening);
-  table.done();
   return out;
 }
 

@@ -108,7 +108,6 @@ SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   out.twist_follows = table.number_or(Dimension::kNumber, "twist_follows", 0);
   if (out.twist_follows != 0 && !gives[SceneComplianceSpec::kTwist])
     table.fail("a twist that is rigid follows nothing", "twist_follows");
-  table.done();
   return out;
 }
 
@@ -122,12 +121,10 @@ SceneLigamentSpec read_scene_ligament(TomlTable& table) {
   out.from_point = table.vector(Dimension::kLength, "from_point");
   out.to_point = table.vector(Dimension::kLength, "to_point");
   out.stiffness = table.number(Dimension::kForce, "stiffness", Range::kPositive);
-  if (table.has(Dimension::kLength, "slack_length"))
-    out.slack_length = table.number(Dimension::kLength, "slack_length", Range::kPositive);
+  out.slack_length = table.number_if(Dimension::kLength, "slack_length", Range::kPositive);
   out.toe_strain =
       table.number_or(Dimension::kNumber, "toe_strain", out.toe_strain, Range::kPositive);
   out.damping = table.number_or(Dimension::kTime, "damping", 0, Range::kNotNegative);
-  table.done();
   return out;
 }
 

@@ -112,7 +112,6 @@ SceneForceSpec read_scene_force(TomlTable& table) {
   if (force.force.isZero(0) && force.moment.isZero(0))
     table.fail("[[force]] needs a 'force' or a 'moment' that is not zero");
   read_span(table, force);
-  table.done();
   return force;
 }
 
@@ -122,15 +121,13 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
   drive.coordinate = table.text("coordinate");
   drive.name = table.text_or("name", drive.coordinate);
   // Its units say whether it turns or slides.
-  bool turns = false, slides = false;
-  for (const bool kind : {true, false}) {
-    const CoordinateUnits units = units_of_coordinate(kind);
-    const bool any = table.has(units.effort, "effort") || table.has(units.value, "target") ||
-                     table.has(units.stiffness, "stiffness") ||
-                     table.has(units.damping, "damping") || table.has(units.speed, "speed") ||
-                     table.has(units.effort, "max_effort");
-    (kind ? turns : slides) = any;
-  }
+  const auto has_any = [&](const CoordinateUnits& units) {
+    return table.has(units.effort, "effort") || table.has(units.value, "target") ||
+           table.has(units.stiffness, "stiffness") || table.has(units.damping, "damping") ||
+           table.has(units.speed, "speed") || table.has(units.effort, "max_effort");
+  };
+  const bool turns = has_any(units_of_coordinate(true)),
+             slides = has_any(units_of_coordinate(false));
   if (turns && slides)
     table.fail("wanted the units of a turn (Nm, deg ..) or those of a slide (N, mm ..), got both");
   if (!turns && !slides) table.fail("[[drive]] needs an 'effort', or a 'target' with 'stiffness'");
@@ -142,8 +139,7 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
   drive.damping = table.number_or(units.damping, "damping", 0, Range::kNotNegative);
   drive.target = table.number_or(units.value, "target", 0);
   drive.speed = table.number_or(units.speed, "speed", 0);
-  if (table.has(units.effort, "max_effort"))
-    drive.max_effort = table.number(units.effort, "max_effort", Range::kNotNegative);
+  drive.max_effort = table.number_if(units.effort, "max_effort", Range::kNotNegative);
   if (drive.stiffness == 0 && table.has(units.value, "target"))
     table.fail("a 'target' needs a 'stiffness'", "target");
   // A file states the target over time.
@@ -156,7 +152,6 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
                  "target_file");
   }
   read_span(table, drive);
-  table.done();
   return drive;
 }
 
@@ -177,7 +172,6 @@ SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions, const std::st
     table.fail(fmt::format("{} needs '{}' or '{}'", table.title(), key, file_key));
   if (!tensions) muscle.rung = table.text_or("rung", muscle.rung);
   read_span(table, muscle);
-  table.done();
   return muscle;
 }
 
@@ -185,24 +179,16 @@ SceneFrictionSpec read_scene_friction(TomlTable& table) {
   SceneFrictionSpec friction;
   friction.line = table.line();
   if (table.has("between")) friction.between = read_between(table);
-  if (table.has(Dimension::kNumber, "coefficient"))
-    friction.coefficient = table.number(Dimension::kNumber, "coefficient", Range::kNotNegative);
-  if (table.has(Dimension::kLength, "torsion_radius"))
-    friction.torsion_radius =
-        table.number(Dimension::kLength, "torsion_radius", Range::kNotNegative);
-  if (table.has(Dimension::kNumber, "restitution"))
-    friction.restitution = table.number(Dimension::kNumber, "restitution", Range::kFraction);
+  friction.coefficient = table.number_if(Dimension::kNumber, "coefficient", Range::kNotNegative);
+  friction.torsion_radius =
+      table.number_if(Dimension::kLength, "torsion_radius", Range::kNotNegative);
+  friction.restitution = table.number_if(Dimension::kNumber, "restitution", Range::kFraction);
   if (!friction.coefficient && !friction.torsion_radius && !friction.restitution)
     table.fail("[[friction]] needs 'coefficient', 'torsion_radius' or 'restitution'");
-  table.done();
   return friction;
 }
 
-SceneApartSpec read_scene_apart(TomlTable& table) {
-  SceneApartSpec apart{read_between(table), table.line()};
-  table.done();
-  return apart;
-}
+SceneApartSpec read_scene_apart(TomlTable& table) { return {read_between(table), table.line()}; }
 
 SteppingSpec read_stepping(TomlTable& table) {
   // Method and duration are common to all methods; the rest has defaults that depend on the method.
@@ -216,9 +202,7 @@ SteppingSpec read_stepping(TomlTable& table) {
                            kMostSamples, stepping.duration, stepping.sample),
                "sample");
   const auto if_stated = [&](Dimension dimension, const char* key) {
-    std::optional<double> value;
-    if (table.has(dimension, key)) value = table.number(dimension, key, Range::kPositive);
-    return value;
+    return table.number_if(dimension, key, Range::kPositive);
   };
   // Each of these belongs to some methods only, and is kept unset if it is not stated.
   stepping.step = if_stated(Dimension::kTime, "step");

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/outside_path.h"
 #include "data/io/graspit/graspit_transform.h"
 
@@ -110,8 +111,7 @@ void read_mass(const XmlFile& file, BodySpec& body) {
 std::string read_material(const XmlFile& file, std::vector<std::string>& warnings) {
   const pugi::xml_node node = file.root().child("material");
   std::string name = file.text(node);
-  for (const Material& material : built_in_materials().materials)
-    if (material.name == name) return name;
+  if (find_named(built_in_materials().materials, name) != nullptr) return name;
   if (node)
     warnings.push_back(fmt::format("{}:{}: material '{}' is not known and was left out",
                                    file.path(), file.line(node), name));

@@ -213,10 +213,7 @@ class WorldReader {
 
   /// @param name  of an existing hand
   [[nodiscard]] std::size_t index_of(const std::string& name) const {
-    const auto& hands = read_.world.hands;
-    const auto found = std::find_if(hands.begin(), hands.end(),
-                                    [&](const PlacedHand& hand) { return hand.name == name; });
-    return static_cast<std::size_t>(found - hands.begin());
+    return static_cast<std::size_t>(place_named(read_.world.hands, name));
   }
 
   void read_camera(const pugi::xml_node& node) {
@@ -224,7 +221,7 @@ class WorldReader {
     const pugi::xml_node position = node.child("position"), turn = node.child("orientation");
     if (!position || !turn) file_.fail(node, "<camera> needs a <position> and an <orientation>");
     // Position, and orientation as x y z w.
-    const std::vector<double> p = file_.numbers(position, 3);
+    const Eigen::Vector3d p = file_.vector3(position);
     const std::vector<double> q = file_.numbers(turn, 4);  // x y z w
     const Eigen::Quaterniond R(q[3], q[0], q[1], q[2]);
     const pugi::xml_node focus = node.child("focalDistance");
@@ -233,7 +230,7 @@ class WorldReader {
       return warn(node, "the camera looks nowhere and was left out");
     Camera& camera = read_.world.camera;
     // It looks along -z to the focal distance.
-    camera.eye = kGraspitLength * Eigen::Vector3d(p[0], p[1], p[2]);
+    camera.eye = kGraspitLength * p;
     camera.target = camera.eye + R.normalized() * Eigen::Vector3d(0, 0, -kGraspitLength * distance);
   }
 

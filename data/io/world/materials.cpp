@@ -5,6 +5,8 @@
 #include <functional>
 #include <string_view>
 
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/nearest_name.h"
@@ -29,12 +31,9 @@ std::vector<std::string> likenesses(const Materials& materials, const std::strin
 }  // namespace
 
 const Material& Materials::at(const std::string& name) const {
-  std::string names;
-  for (const Material& material : materials) {
-    if (material.name == name) return material;
-    names += (names.empty() ? "" : ", ") + material.name;
-  }
-  throw InputError(fmt::format("no material '{}'; there are {}", name, names));
+  if (const Material* found = find_named(materials, name)) return *found;
+  throw InputError(
+      fmt::format("no material '{}'; there are {}", name, fmt::join(names_of(materials), ", ")));
 }
 
 Friction Materials::between(const std::string& a, const std::string& b) const {
@@ -56,10 +55,6 @@ const std::map<std::string, std::string_view>& material_table();  // made by cma
 
 namespace {
 
-std::vector<std::string> names_of(const Materials& materials) {
-  return transformed(materials.materials, [&](const Material& material) { return material.name; });
-}
-
 /// Laws of a pad by the name that a materials file gives them.
 using FindLaws = std::function<CalibratedLaws(TomlTable& table, const std::string& file)>;
 
@@ -69,16 +64,15 @@ Material read_likeness(TomlTable& table, const Materials& read, const Materials&
   Material likeness;
   const std::string name = table.text_or("like", "");
   if (name.empty()) return likeness;
-  std::vector<std::string> known = names_of(read);
-  for (const Materials* each : {&read, &below})
-    for (const Material& material : each->materials) {
-      if (material.name == name) {
-        likeness = material;
-        likeness.like = name;
-        return likeness;
-      }
-      known.push_back(material.name);
+  std::vector<std::string> known = names_of(read.materials);
+  for (const Materials* each : {&read, &below}) {
+    if (const Material* found = find_named(each->materials, name)) {
+      likeness = *found;
+      likeness.like = name;
+      return likeness;
     }
+    append_all(known, names_of(each->materials));
+  }
   table.fail(fmt::format("no material '{}' before it{}", name, did_you_mean(name, known)), "like");
 }
 
@@ -139,14 +133,14 @@ Materials parse(const std::string& text, const std::string& path, const Material
   // Materials of this file, then those below that it does not replace.
   for (TomlTable& table : top.tables("material")) {
     const Material material = read_material(table, read_likeness(table, read, below), find_laws);
-    if (contains(names_of(read), material.name))
+    if (contains(names_of(read.materials), material.name))
       table.fail(fmt::format("material '{}' is given twice", material.name), "name");
     read.materials.push_back(material);
   }
   for (const Material& material : below.materials)
-    if (!contains(names_of(read), material.name)) read.materials.push_back(material);
+    if (!contains(names_of(read.materials), material.name)) read.materials.push_back(material);
   // Pairs of this file come before those below.
-  const std::vector<std::string> known = names_of(read);
+  const std::vector<std::string> known = names_of(read.materials);
   for (TomlTable& table : top.tables("friction")) {
     const std::pair<std::string, std::string> pair = read_pair(table, known);
     if (!read.friction.emplace(pair, read_friction(table)).second)

@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/file_io.h"
 #include "base/lists.h"
-#include "base/nearest_name.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/toml_text.h"
 #include "data/io/world/body_toml.h"
@@ -54,7 +52,6 @@ PlacedHand read_hand(TomlTable& table, const WorldSpec& world,
   hand.posture = internal::read_posture(table);
   hand.carrier = table.text_or("carrier", "");
   hand.carrier_link = hand.carrier.empty() ? "" : table.text("carrier_link");
-  table.done();
   return hand;
 }
 
@@ -63,15 +60,13 @@ PlacedBody read_body(TomlTable& table, const WorldSpec& world, const std::string
   const bool dynamic = table.choice("role", {"object", "obstacle"}) == "object";
   PlacedBody placed = internal::read_placed_body(table, path, world.materials, places);
   placed.dynamic = dynamic;
-  table.done();
   return placed;
 }
 
 /// Checks that names are unique, and that hands are carried by other hands that exist.
 void check_names(TomlTable& top, const WorldSpec& world) {
-  std::vector<std::string> bodies, hands;
+  std::vector<std::string> bodies, hands = names_of(world.hands);
   for (const PlacedBody& placed : world.bodies) bodies.push_back(placed.body.name);
-  for (const PlacedHand& hand : world.hands) hands.push_back(hand.name);
   for (std::vector<std::string> names : {bodies, hands}) {
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
@@ -95,15 +90,13 @@ WorldSpec parse_world(const std::string& text, const std::string& path,
   world.name = top.text("name");
   world.description = top.text_or("description", "");
   world.source = top.source();
-  world.own_sources = internal::read_own_sources(text, path);
+  world.own_sources = file.own_sources();
   world.materials_file = top.text_or("materials", "");
   world.materials = internal::read_materials_key(top, world.folder);
   // Camera, hands and bodies.
   world.camera = internal::read_camera(top);
-  for (TomlTable& table : top.tables("hand"))
-    world.hands.push_back(read_hand(table, world, places));
-  for (TomlTable& table : top.tables("body"))
-    world.bodies.push_back(read_body(table, world, path, places));
+  top.read_each("hand", world.hands, read_hand, world, places);
+  top.read_each("body", world.bodies, read_body, world, path, places);
   top.done();
   check_names(top, world);
   return world;

@@ -1,12 +1,12 @@
 #include "data/io/world/world_keys.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/outside_path.h"
 #include "data/io/linked_file.h"
@@ -25,9 +25,8 @@ BodySpec read_filed_body(TomlTable& table, const std::string& file) {
 }
 
 void check_material(const TomlTable& table, const BodySpec& body, const Materials& materials) {
-  std::vector<std::string> names;
-  for (const Material& material : materials.materials) names.push_back(material.name);
-  if (!body.material.empty() && std::find(names.begin(), names.end(), body.material) == names.end())
+  const std::vector<std::string> names = names_of(materials.materials);
+  if (!body.material.empty() && !contains(names, body.material))
     table.fail(fmt::format("no material '{}'{}", body.material, did_you_mean(body.material, names)),
                "material");
 }
@@ -103,14 +102,6 @@ Camera read_camera(TomlTable& top) {
     table->fail("wanted 'eye' apart from 'target'", "eye");
   table->done();
   return camera;
-}
-
-OwnSources read_own_sources(const std::string& text, const std::string& path) {
-  OwnSources own;
-  const TomlNode top = parse_toml(text, path);
-  if (const TomlNode* sources = top.find("sources"))
-    for (const auto& [key, reference] : sources->members) own[key] = reference.text;
-  return own;
 }
 
 }  // namespace thenar::internal

@@ -46,7 +46,4 @@ namespace thenar::internal {
 /// Reads [camera]; the usual one if there is none.
 [[nodiscard]] Camera read_camera(TomlTable& top);
 
-/// Returns the file's own [sources].
-[[nodiscard]] OwnSources read_own_sources(const std::string& text, const std::string& path);
-
 }  // namespace thenar::internal

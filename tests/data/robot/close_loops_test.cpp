@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_robot.h"
@@ -277,8 +278,8 @@ TEST_F(Loops, PolynomialEqualitiesOfJointsAreKept) {
   ASSERT_THAT(names(robot.dofs), ElementsAre("2"));
   for (const double q2 : {0.0, 0.3, 0.9}) {
     const double v = q2 - 0.05;
-    EXPECT_NEAR(joint_value(*internal::find_joint(robot, "1"), q2),
-                0.1 + 0.2 + 0.5 * v - 0.3 * v * v, 1e-14);
+    EXPECT_NEAR(joint_value(*find_named(robot.joints, "1"), q2), 0.1 + 0.2 + 0.5 * v - 0.3 * v * v,
+                1e-14);
   }
 }
 

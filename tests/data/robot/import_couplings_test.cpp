@@ -1,6 +1,7 @@
 // Tests for data/io/robot/import_couplings.cpp.
 
 #include "data/io/robot/import_couplings.h"
+#include "base/lists.h"
 
 #include <gmock/gmock.h>
 
@@ -55,8 +56,8 @@ TEST(CoupleJoints, ComposesPolynomialsOfFollowers) {
 TEST(CoupleJoints, TightensTheRangeToWhatFollowersCanDo) {
   RobotSpec robot = chain_of_hinges();
   couple_joints(robot, {{"2", "1", 2, 0, 1, {}}}, "f.xml");
-  EXPECT_DOUBLE_EQ(find_dof(robot, "1")->lower, -0.5);
-  EXPECT_DOUBLE_EQ(find_dof(robot, "1")->upper, 0.5);
+  EXPECT_DOUBLE_EQ(find_named(robot.dofs, "1")->lower, -0.5);
+  EXPECT_DOUBLE_EQ(find_named(robot.dofs, "1")->upper, 0.5);
   EXPECT_THAT(robot.warnings, SizeIs(1));
 }
 
