@@ -1,13 +1,13 @@
 #include "api/simulate.h"
 
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "api/named/files.h"
 #include "api/named/result_origin.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/contraction.h"
@@ -21,8 +21,7 @@ namespace {
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   // Names must be muscles of the subject, lengths positive.
-  std::vector<std::string> names;
-  for (const MuscleUnit& muscle : subject.muscles) names.push_back(muscle.name);
+  const std::vector<std::string> names = names_of_each(subject.muscles);
   (void)in_order(slack, names, "muscle");  // refuses unknown names
   for (MuscleUnit& muscle : subject.muscles) {
     const auto found = slack.find(muscle.name);

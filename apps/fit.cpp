@@ -4,7 +4,6 @@
 // together, as people who differ from their population. With --method mcmc the whole posterior is
 // sampled instead: under mpirun by all ranks, and an interrupted run is continued.
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -19,6 +18,7 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
@@ -42,9 +42,8 @@ struct FitArguments {
 
 void require_method(const std::string& method) {
   const std::vector<std::string> known{"ceres", "nlopt", "nlopt-global", "ipopt", kSampling};
-  require(std::find(known.begin(), known.end(), method) != known.end(),
-          "no fit method '{}'{} there are {}", method, hint_before_list(method, known),
-          listed(known));
+  require(contains(known, method), "no fit method '{}'{} there are {}", method,
+          hint_before_list(method, known), listed(known));
 }
 
 /// Requires endings of files that the kind of result can have; other endings, such as that of a

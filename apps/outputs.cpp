@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "report/page.h"
 
@@ -28,7 +29,7 @@ std::vector<std::string> endings_of(const OutputKinds& kinds) {
 /// Refuses a file of another ending, and one that cannot be written.
 CLI::Validator writable_with(const std::vector<std::string>& endings) {
   const auto complaint = [endings](const std::string& path) -> std::string {
-    if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
+    if (!contains(endings, ending_of(path)))
       return fmt::format("wanted an output that ends in {}, got '{}'", fmt::join(endings, " or "),
                          path);
     try {
@@ -61,10 +62,8 @@ void add_run(AnyJson& json, const FileDigests& files) {
 }  // namespace
 
 std::vector<std::string> Outputs::with_ending(const std::vector<std::string>& endings) const {
-  std::vector<std::string> found;
-  for (const std::string& path : files)
-    if (std::find(endings.begin(), endings.end(), ending_of(path)) != endings.end())
-      found.push_back(path);
+  std::vector<std::string> found = files;
+  erase_where(found, [&](const std::string& path) { return !contains(endings, ending_of(path)); });
   return found;
 }
 

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace thenar {
@@ -60,6 +59,12 @@ template <typename List, typename Make>
   return made;
 }
 
+/// Returns the members `name` of all entries, in the order of the list.
+template <typename List>
+[[nodiscard]] std::vector<std::string> names_of_each(const List& list) {
+  return transformed(list, [](const auto& each) { return each.name; });
+}
+
 /// Returns the keys of a map, in its order.
 template <typename Map>
 [[nodiscard]] std::vector<typename Map::key_type> map_keys(const Map& map) {
@@ -76,6 +81,13 @@ void erase_where(List& list, const Test& test) {
 template <typename List, typename More>
 void append_all(List& list, const More& more) {
   list.insert(std::end(list), std::begin(more), std::end(more));
+}
+
+/// Adds those entries of a list to the end of another that are not in it yet.
+template <typename List, typename More>
+void append_new(List& list, const More& more) {
+  for (const auto& each : more)
+    if (!contains(list, each)) list.push_back(each);
 }
 
 }  // namespace thenar

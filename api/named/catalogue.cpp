@@ -1,6 +1,5 @@
 #include "api/named/catalogue.h"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>

@@ -12,9 +12,9 @@
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
-#include "base/run_record.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -73,8 +73,7 @@ std::vector<std::string> names_of(const WorldSpec& world) {
 }
 
 bool carries(const WorldSpec& world, const std::string& name) {
-  return std::any_of(world.hands.begin(), world.hands.end(),
-                     [&](const PlacedHand& hand) { return hand.carrier == name; });
+  return any_of(world.hands, [&](const PlacedHand& hand) { return hand.carrier == name; });
 }
 
 std::size_t chosen(const WorldSpec& world, const std::string& name, const std::string& path) {
@@ -301,7 +300,7 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
 
 bool has_hand(const WorldRequest& request) {
   const std::vector<std::string> names = names_of(read_world_at(world_file(request), request.data));
-  return std::find(names.begin(), names.end(), current_hand_name(request.hand)) != names.end();
+  return contains(names, current_hand_name(request.hand));
 }
 
 std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
@@ -324,8 +323,7 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
-  for (std::string& warning : missing_material_warnings(world))
-    hand.named.warnings.push_back(std::move(warning));
+  append_all(hand.named.warnings, missing_material_warnings(world));
   return hand;
 }
 

@@ -8,7 +8,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include "api/named/data_folders.h"
@@ -19,6 +18,7 @@
 #include "api/named/worlds.h"
 #include "api/scenes/scene_account.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
 #include "base/rung_names.h"
@@ -295,10 +295,7 @@ void tell_outcome(bool stopped, SceneSweepResult& sweep) {
   outcome.done = sweep.runs.size();
   for (const SceneResult& run : sweep.runs) {
     if (run.outcome.status == Status::kStalled) outcome.status = Status::kStalled;
-    for (const std::string& warning : run.outcome.warnings)
-      if (std::find(outcome.warnings.begin(), outcome.warnings.end(), warning) ==
-          outcome.warnings.end())
-        outcome.warnings.push_back(warning);
+    append_new(outcome.warnings, run.outcome.warnings);
   }
   if (stopped) outcome.status = Status::kStopped;
 }
@@ -378,12 +375,6 @@ ResultArray cube(std::size_t a, std::size_t b, std::size_t c, const std::string&
     for (std::size_t j = 0; j < b; ++j)
       for (std::size_t k = 0; k < c; ++k) array.values.push_back(at(i, j, k));
   return array;
-}
-
-std::vector<std::string> names_of_bodies(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (const MechanismBody& body : mechanism.bodies) names.push_back(body.name);
-  return names;
 }
 
 /// Names of the entries of positions or of speeds.
@@ -514,8 +505,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
   }
   std::vector<std::string> names;
   std::vector<double> beyond, slides;
-  for (const PassedLimit& limit :
-       passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond)) {
+  for (const PassedLimit& limit : limits_passed(scene)) {
     names.push_back(limit.joint);
     beyond.push_back(limit.beyond);
     slides.push_back(limit.slides ? 1 : 0);
@@ -564,15 +554,14 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
-  file.add("name/body", names_of_bodies(mechanism));
+  file.add("name/body", names_of_each(mechanism.bodies));
   const std::vector<std::string> q = entry_names(mechanism, true);
   const std::vector<std::string> v = entry_names(mechanism, false);
   if (!q.empty()) file.add("name/position_entry", q);
   if (!v.empty()) file.add("name/speed_entry", v);
   const std::vector<std::string> z = element_state_names(scene.built->scene.elements);
   if (!z.empty()) file.add("name/element_state_entry", z);
-  std::vector<std::string> muscles;
-  for (const PullMeasure& muscle : scene.measures.pulls.muscles) muscles.push_back(muscle.name);
+  const std::vector<std::string> muscles = names_of_each(scene.measures.pulls.muscles);
   if (!muscles.empty()) file.add("name/muscle", muscles);
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
@@ -602,8 +591,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
   require(!sweep.runs.empty(), "no run was made: nothing to write");
   ResultFile file;
   add_names(sweep.runs.front(), file);
-  std::vector<std::string> varied;
-  for (const SceneVariation& each : sweep.request.vary) varied.push_back(each.name);
+  const std::vector<std::string> varied = names_of_each(sweep.request.vary);
   file.add("varied", varied);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "api/named/hands.h"
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
 #include "dynamics/mechanism/build_mechanism.h"
@@ -144,8 +144,7 @@ class WorldBuilder {
   }
 
   [[nodiscard]] bool is_there(const std::string& hand) const {
-    return std::any_of(spec_.hands.begin(), spec_.hands.end(),
-                       [&](const SceneHandSpec& each) { return each.placed.name == hand; });
+    return any_of(spec_.hands, [&](const SceneHandSpec& each) { return each.placed.name == hand; });
   }
 
   void add_hand(const PlacedHand& placed) {
@@ -196,8 +195,7 @@ class WorldBuilder {
   /// Every coordinate has a drive, or a motor that cannot be driven back would be welded.
   void add_robot_drives(const std::string& hand, const RobotSpec& robot) {
     for (const RobotDof& dof : robot.dofs)
-      if (std::any_of(robot.joints.begin(), robot.joints.end(),
-                      [&](const RobotJoint& joint) { return joint.dof == dof.name; }))
+      if (any_of(robot.joints, [&](const RobotJoint& joint) { return joint.dof == dof.name; }))
         add_drive(hand + "/" + dof.name, !slides(robot, dof));
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof.empty() && joint.kind != RobotJointKind::kFixed)
