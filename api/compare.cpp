@@ -130,9 +130,8 @@ void require_object_materials(const CompareRequest& request, const std::vector<B
 /// Builds the compared hands; warnings state assumptions about the objects.
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
-  std::vector<ComparedHand> hands;
-  hands.reserve(named.size());
-  for (const NamedHand& each : named) hands.push_back(to_compare(each));
+  std::vector<ComparedHand> hands =
+      transformed(named, [](const NamedHand& each) { return to_compare(each); });
   for (const std::string& object : without_material)
     for (ComparedHand& hand : hands)
       hand.warnings.push_back(fmt::format("no material is stated of object '{}': {} is taken",

@@ -99,9 +99,8 @@ void add_outward(const ContactFile& file, const std::vector<Numbered>& cones,
 
 void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& warnings) {
   // Contacts in one region share one limit of normal force, whatever the number of cones.
-  std::vector<Contact> places;
-  places.reserve(cones.size());
-  for (const Numbered& cone : cones) places.push_back(contact_of(*cone.contact));
+  const std::vector<Contact> places =
+      transformed(cones, [&](const Numbered& cone) { return contact_of(*cone.contact); });
   const std::vector<int> region = contact_regions(places);
   std::set<int> met;
   // A stated patch means that the repetition is on purpose.

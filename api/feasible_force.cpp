@@ -227,9 +227,10 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   const std::vector<std::string> all = statics.muscles;
   statics.muscles = kept_names(all, left_out);
   // Their rows of every table.
-  std::vector<Eigen::Index> rows;
-  for (const std::string& muscle : statics.muscles)
-    rows.push_back(std::find(all.begin(), all.end(), muscle) - all.begin());
+  const std::vector<Eigen::Index> rows =
+      transformed(statics.muscles, [&](const std::string& muscle) {
+        return std::find(all.begin(), all.end(), muscle) - all.begin();
+      });
   statics.max_tension = Eigen::VectorXd(statics.max_tension(rows));
   statics.R = Eigen::MatrixXd(statics.R(rows, Eigen::all));
   for (StaticsDerivative& slope : at.slopes) slope.R = Eigen::MatrixXd(slope.R(rows, Eigen::all));

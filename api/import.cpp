@@ -69,9 +69,8 @@ void check_statements(const ImportRequest& request) {
   require_field("density", !request.density || *request.density > 0,
                 "wanted a density above 0 kg/m3, got {}", request.density.value_or(0));
   // Refuse an unknown material here, where its name was typed.
-  std::vector<std::string> names;
-  for (const Material& material : materials_of_file(request.materials).materials)
-    names.push_back(material.name);
+  const std::vector<std::string> names =
+      names_of_each(materials_of_file(request.materials).materials);
   if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
 }
 

@@ -61,29 +61,35 @@ std::vector<std::string> prediction_warnings(const FitProblem& fitted,
   return warnings;
 }
 
+void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
+                     PredictResult& result) {
+  // Predict each experiment by its own specimen if that was fitted, else by the population.
+  for (const std::string& name : result.request.experiments) {
+    const SourceText source = read_source(experiment_file(name, result.request.data));
+    const Experiment experiment = read_trials(source);
+    result.outcome.warn(prediction_warnings(problem, experiment));
+    const int fitted = find_specimen(problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, result.request.population);
+    Prediction prediction =
+        predict(experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    // Warn of medians of draws, then set trivial predictions beside: a model has to beat them.
+    result.outcome.warn(unsteady_force_warnings(prediction));
+    result.sources.push_back(source);
+    result.experiments.push_back(
+        {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
+  }
+}
+
 PredictResult predict_forces(const PredictRequest& request) {
   require(!request.experiments.empty(), "wanted at least one experiment to predict");
   require_fit_path(request.path);
   require_kind(request.fit, {"fit"});
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);
-  // Predict each experiment by its own specimen if that was fitted, else by the population.
-  for (const std::string& name : request.experiments) {
-    const SourceText source = read_source(experiment_file(name, request.data));
-    const Experiment experiment = read_trials(source);
-    result.outcome.warn(prediction_warnings(fit.problem, experiment));
-    const int fitted = find_specimen(fit.problem, experiment.specimen);
-    const PredictedBy by = predicted_by(fitted, request.population);
-    Prediction prediction =
-        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
-                           by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
-    // Warn of medians of draws, then set trivial predictions beside: a model has to beat them.
-    result.outcome.warn(unsteady_force_warnings(prediction));
-    result.sources.push_back(source);
-    result.experiments.push_back(
-        {experiment, beside_trivial_forces(std::move(prediction), experiment, fit.problem, by),
-         by});
-  }
+  const auto predict = [&](const Experiment& experiment, int specimen) {
+    return predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
+  };
+  add_predictions(fit.problem, predict, result);
   return result;
 }
 

@@ -1,11 +1,13 @@
 #include "api/simulate.h"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "api/named/files.h"
 #include "api/named/result_origin.h"
+#include "base/enum_names.h"
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/units.h"
@@ -126,16 +128,9 @@ Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
 }
 
 Status status_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::kCompleted:
-      return Status::kSolved;
-    case MotionStatus::kStopped:
-      return Status::kStopped;
-    case MotionStatus::kLimit:
-      return Status::kLimit;
-    default:
-      return Status::kStalled;
-  }
+  if (status == MotionStatus::kCompleted) return Status::kSolved;
+  if (status == MotionStatus::kStopped) return Status::kStopped;
+  return status == MotionStatus::kLimit ? Status::kLimit : Status::kStalled;
 }
 
 }  // namespace
@@ -214,20 +209,13 @@ void write_motion(const DigitMotionResult& motion, const std::string& path, cons
 }
 
 std::string name_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::kCompleted:
-      return "done";
-    case MotionStatus::kStopped:
-      return "stopped";
-    case MotionStatus::kLimit:
-    case MotionStatus::kIntegratorFailed:
-      return "stuck";
-    case MotionStatus::kNoProgress:
-      return "no progress";
-    case MotionStatus::kUnbalanced:
-      return "energy does not balance";
-  }
-  return "";
+  constexpr std::array kWords{EnumName{MotionStatus::kCompleted, "done"},
+                              EnumName{MotionStatus::kStopped, "stopped"},
+                              EnumName{MotionStatus::kLimit, "stuck"},
+                              EnumName{MotionStatus::kIntegratorFailed, "stuck"},
+                              EnumName{MotionStatus::kNoProgress, "no progress"},
+                              EnumName{MotionStatus::kUnbalanced, "energy does not balance"}};
+  return name_in(kWords, status);
 }
 
 }  // namespace thenar

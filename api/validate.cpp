@@ -70,9 +70,7 @@ void build_thing(const Other& /*read whole already*/, FileVerdict& /*verdict*/) 
 
 std::vector<std::string> materials_in(const BodySpec& body) { return {body.material}; }
 std::vector<std::string> materials_in(const RobotSpec& robot) {
-  std::vector<std::string> used;
-  for (const RobotLink& link : robot.links) used.push_back(link.material);
-  return used;
+  return transformed(robot.links, [&](const RobotLink& link) { return link.material; });
 }
 template <typename Other>
 std::vector<std::string> materials_in(const Other& /*none, or checked by its reader*/) {

@@ -39,8 +39,7 @@ Outputs without_json(Outputs outputs) {
 }
 
 void run_compare(const TypedQuestion& options) {
-  CompareRequest request = read_typed(compare_params(), options.request);
-  set_request("compare", compare_params().write(request));
+  CompareRequest request = record_typed("compare", compare_params(), options.request);
   request.file = options.outputs.only_file(".json");
   request.run = this_run();
   const Progress progress = terminal_progress(

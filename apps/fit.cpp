@@ -57,8 +57,7 @@ void require_endings(const Outputs& outputs, bool sampling) {
 
 void fit_best(FitArguments& options) {
   options.fit["method"] = options.method;
-  FitRequest request = read_typed(fit_params(), options.fit);
-  set_request("fit", fit_params().write(request));
+  FitRequest request = record_typed("fit", fit_params(), options.fit);
   request.output = options.outputs.only_file(".h5");
   request.run = this_run();
   const FitResult result = fit_digit(request, terminal_progress());
@@ -98,8 +97,7 @@ void sample_posterior_of(FitArguments& options) {
   // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
-  SampleRequest request = read_typed(posterior_params(), options.chains);
-  set_request("posterior", posterior_params().write(request));
+  SampleRequest request = record_typed("posterior", posterior_params(), options.chains);
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();
   request.output = options.outputs.only_file(".nc");
@@ -122,18 +120,14 @@ void run_fit(FitArguments& options) {
   require_method(options.method);
   const bool sampling = options.method == kSampling;
   require_endings(options.outputs, sampling);
-  if (sampling)
-    sample_posterior_of(options);
-  else
-    fit_best(options);
+  sampling ? sample_posterior_of(options) : fit_best(options);
 }
 
 void add_chain_options(CLI::App& command, FitArguments& options) {
   CLI::Option_group* const group = command.add_option_group("With --method mcmc");
   // Leave out parameters that fits have, as these are options already.
-  const std::vector<Param> fits = fit_params().params();
   std::vector<std::string> known;
-  for (const Param& param : fits)
+  for (const Param& param : fit_params().params())
     if (param.member.name != "method") known.push_back(param.member.name);
   add_request_options(*group, without(posterior_params().params(), known), options.chains);
   group->add_flag("--no-retry", options.no_retry,

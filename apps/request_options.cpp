@@ -268,7 +268,7 @@ std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
   help.pop_back();
   CLI::App* command = app.add_subcommand(about.name, help);
   add_request_options(*command, typed->question->params, typed->request);
-  add_output_options(*command, typed->outputs, about.kinds);
+  add_output_options(*command, typed->outputs, {true, true, true});
   add_examples(*command, about.examples);
   command->callback([typed] { ask_and_deliver(*typed); });
   return {command, typed};

@@ -19,9 +19,8 @@ std::string some_of(const std::vector<std::string>& names, std::size_t named) {
 }
 
 std::string quoted_list(const std::string& what, const std::vector<std::string>& names) {
-  std::vector<std::string> quoted;
-  quoted.reserve(names.size());
-  for (const std::string& name : names) quoted.push_back("'" + name + "'");
+  const std::vector<std::string> quoted =
+      transformed(names, [](const std::string& name) { return "'" + name + "'"; });
   return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
 }
 

@@ -21,8 +21,8 @@ namespace {
 std::string words_of(const TomlNode* node) {
   if (node == nullptr) return "";
   if (node->kind != TomlKind::kArray) return node->text;
-  std::vector<std::string> texts;
-  for (const TomlNode& item : node->items) texts.push_back(item.text);
+  const std::vector<std::string> texts =
+      transformed(node->items, [&](const TomlNode& item) { return item.text; });
   return texts.empty() ? "" : listed(texts);
 }
 
@@ -137,8 +137,8 @@ void add_materials(const std::string& file, Catalogue& out) {
 }  // namespace
 
 std::vector<std::string> catalogue_words() {
-  std::vector<std::string> words;
-  for (const ThingKind& kind : thing_kinds()) words.push_back(kind.plural);
+  std::vector<std::string> words =
+      transformed(thing_kinds(), [&](const ThingKind& kind) { return kind.plural; });
   words.insert(words.end(), {"materials", "joints", "muscles", "digits"});
   return words;
 }

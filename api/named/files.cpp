@@ -234,9 +234,8 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   }
   if (found.kind.empty() || contains(kinds, found.kind)) return;
   // Name the found kind, the accepted kinds, and the commands that accept the file.
-  std::vector<std::string> wanted;
-  wanted.reserve(kinds.size());
-  for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
+  const std::vector<std::string> wanted =
+      transformed(kinds, [](const std::string& kind) { return with_article(kind); });
   std::string ways;
   if (!found.commands.empty())
     ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",

@@ -53,8 +53,8 @@ std::vector<std::string> unknown_materials(const std::string& file,
 }
 
 void require_materials(const NamedHand& hand, const Materials& table) {
-  std::vector<std::string> used;
-  for (const LinkSurface& surface : hand.hand->surfaces()) used.push_back(surface.material);
+  const std::vector<std::string> used = transformed(
+      hand.hand->surfaces(), [&](const LinkSurface& surface) { return surface.material; });
   const std::vector<std::string> unknown =
       unknown_materials(hand.file.empty() ? hand.name : hand.file, used, table);
   require(unknown.empty(), "{}; a materials file may give others",

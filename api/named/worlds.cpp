@@ -67,9 +67,8 @@ std::size_t index_of(const WorldSpec& world, const std::string& name) {
 }
 
 std::vector<std::string> names_of(const WorldSpec& world) {
-  std::vector<std::string> names;
-  for (const PlacedHand& hand : world.hands) names.push_back(current_hand_name(hand.name));
-  return names;
+  return transformed(world.hands,
+                     [&](const PlacedHand& hand) { return current_hand_name(hand.name); });
 }
 
 bool carries(const WorldSpec& world, const std::string& name) {

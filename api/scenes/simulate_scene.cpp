@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <set>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "api/first_rank.h"
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "api/named/hands.h"
@@ -344,21 +344,11 @@ SceneSweepResult sweep_together(const SceneRequest& request, const Progress& pro
 }  // namespace
 
 std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request, const Progress& progress) {
-  std::optional<SceneSweepResult> sweep;
-  std::exception_ptr failure;
-  {
-    const std::unique_ptr<Communicator> ranks = world_communicator();
+  return result_of_first_rank([&](const Communicator& ranks) {
     Progress told = progress;
-    if (ranks->rank() > 0) told.report = nullptr;
-    try {
-      SceneSweepResult found = sweep_together(request, told, *ranks);
-      if (ranks->rank() == 0) sweep = std::move(found);
-    } catch (const std::exception&) {
-      if (ranks->rank() == 0) failure = std::current_exception();
-    }
-  }  // MPI ends in peace before the first process fails alone
-  if (failure) std::rethrow_exception(failure);
-  return sweep;
+    if (ranks.rank() > 0) told.report = nullptr;
+    return sweep_together(request, told, ranks);
+  });
 }
 
 // Files of runs.
@@ -555,19 +545,26 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
   file.add("name/body", names_of_each(mechanism.bodies));
-  const std::vector<std::string> q = entry_names(mechanism, true);
-  const std::vector<std::string> v = entry_names(mechanism, false);
-  if (!q.empty()) file.add("name/position_entry", q);
-  if (!v.empty()) file.add("name/speed_entry", v);
-  const std::vector<std::string> z = element_state_names(scene.built->scene.elements);
-  if (!z.empty()) file.add("name/element_state_entry", z);
-  const std::vector<std::string> muscles = names_of_each(scene.measures.pulls.muscles);
-  if (!muscles.empty()) file.add("name/muscle", muscles);
+  const auto add_some = [&](const char* key, const std::vector<std::string>& names) {
+    if (!names.empty()) file.add(key, names);
+  };
+  add_some("name/position_entry", entry_names(mechanism, true));
+  add_some("name/speed_entry", entry_names(mechanism, false));
+  add_some("name/element_state_entry", element_state_names(scene.built->scene.elements));
+  add_some("name/muscle", names_of_each(scene.measures.pulls.muscles));
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
   // The method and paths are needed to build the scene again.
   file.add("method", name_in(kSteppingMethodNames, scene.built->options.method));
   file.add("rungs/path", asked_paths(scene.request.path));
+}
+
+/// Adds the tables of one run. @param group  before their names
+void add_run(const SceneResult& scene, const std::string& group, ResultFile& file) {
+  add_instants(scene, group, file);
+  add_elements(scene, group, file);
+  add_contacts(scene, group, file);
+  add_outcome(scene, group, file);
 }
 
 }  // namespace
@@ -577,10 +574,7 @@ void write_scene_run(const SceneResult& scene, const std::string& path, const Ru
           scene.name);
   ResultFile file;
   add_names(scene, file);
-  add_instants(scene, "", file);
-  add_elements(scene, "", file);
-  add_contacts(scene, "", file);
-  add_outcome(scene, "", file);
+  add_run(scene, "", file);
   add_origin(scene.sources, run, file);
   write_result(file, path);
 }
@@ -600,11 +594,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
     const SceneResult& scene = sweep.runs[i];
     for (std::size_t k = 0; k < varied.size(); ++k)
       values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = scene.varied[k].second;
-    const std::string group = fmt::format("runs/{}/", i + 1);
-    add_instants(scene, group, file);
-    add_elements(scene, group, file);
-    add_contacts(scene, group, file);
-    add_outcome(scene, group, file);
+    add_run(scene, fmt::format("runs/{}/", i + 1), file);
   }
   file.add("value", values, "SI", {"run", "number"});
   add_origin(sweep.runs.front().sources, run, file);

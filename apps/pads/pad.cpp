@@ -149,7 +149,6 @@ void add_pad(CLI::App& app) {
   command->require_subcommand(1);
   add_question_command(*command, {"press",
                                   "press",
-                                  {true, true, true},
                                   {"pad press --force 1 -o pad.html",
                                    "pad press --object sphere --radius 5 --depth 1.5 --angle 30",
                                    "pad press --depth 1 --rate 10 --hold 5 --csv"}});
