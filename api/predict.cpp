@@ -5,6 +5,7 @@
 #include "api/fit.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/trivial_prediction.h"
@@ -55,9 +56,8 @@ std::vector<std::string> prediction_warnings(const FitProblem& fitted,
   const TendonDigit digit = fitted.sized_digit(experiment);
   std::vector<std::string> warnings = experiment_warnings(
       digit, plan_experiment(digit, fitted.parameters(), experiment), experiment);
-  for (std::string& warning :
-       posture_name_warnings({with_own_postures(experiment, fitted.experiments())}))
-    warnings.push_back(std::move(warning));
+  append_all(warnings,
+             posture_name_warnings({with_own_postures(experiment, fitted.experiments())}));
   return warnings;
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 std::string counted(std::size_t count, const std::string& thing) {

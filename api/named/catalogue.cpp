@@ -8,6 +8,7 @@
 #include "api/named/material_names.h"
 #include "api/named/things.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "data/io/json_node.h"
