@@ -26,8 +26,10 @@ struct GraspArguments : TypedQuestion {
 };
 
 void run_grasp(const GraspArguments& options) {
-  require_ending(options.save, {".toml"});
-  if (!options.save.empty()) require_writable(options.save);
+  if (!options.save.empty()) {
+    require_ending(options.save, {".toml"});
+    require_writable(options.save);
+  }
   GraspRequest request = record_typed("grasp", grasp_params(), options.request);
   request.world.pictures = options.outputs.page();
   const GraspResult found = measure_grasp(request, terminal_progress());

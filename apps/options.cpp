@@ -54,7 +54,7 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
 
 void require_ending(const std::string& path, const std::vector<std::string>& endings) {
   const std::string ending = std::filesystem::path(path).extension();
-  require(path.empty() || contains(endings, ending), "wanted an output that ends in {}, got '{}'",
+  require(contains(endings, ending), "wanted an output that ends in {}, got '{}'",
           fmt::join(endings, " or "), path);
 }
 

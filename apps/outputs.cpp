@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/options.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/lists.h"
@@ -29,10 +30,8 @@ std::vector<std::string> endings_of(const OutputKinds& kinds) {
 /// Refuses a file of another ending, and one that cannot be written.
 CLI::Validator writable_with(const std::vector<std::string>& endings) {
   const auto complaint = [endings](const std::string& path) -> std::string {
-    if (!contains(endings, ending_of(path)))
-      return fmt::format("wanted an output that ends in {}, got '{}'", fmt::join(endings, " or "),
-                         path);
     try {
+      require_ending(path, endings);
       require_writable(path);
     } catch (const InputError& error) {
       return error.what();

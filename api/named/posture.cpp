@@ -88,10 +88,9 @@ Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& reque
   require(request.in_order.size() == joints.size(), "wanted {} angles [{}], of {}, got {}",
           joints.size(), request.unit == PostureUnit::kTyped ? "deg" : "rad", listed(joints),
           request.in_order.size());
-  Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
-  for (Eigen::Index i = 0; i < q.size(); ++i)
-    q[i] = unit_of(request) * request.in_order[static_cast<std::size_t>(i)];
-  return checked_angles(q, joints);
+  const Eigen::Map<const Eigen::VectorXd> angles(request.in_order.data(),
+                                                 static_cast<Eigen::Index>(joints.size()));
+  return checked_angles(unit_of(request) * angles, joints);
 }
 
 PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,

@@ -201,15 +201,10 @@ Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
   const RobotSpec robot = import_robot(file_of(world, placed, data));
   // One unit of this motor, nothing of the others: the posture is the direction in which it moves
   // the joints.
-  Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
-  bool found = false;
-  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
-    if (robot.dofs[d].name != name) continue;
-    dofs[static_cast<Eigen::Index>(d)] = 1;
-    found = true;
-  }
-  if (!found) return {};
-  return RobotHand(robot).posture(dofs);
+  const int dof = place_named(robot.dofs, name);
+  if (dof < 0) return {};
+  const auto dofs = static_cast<Eigen::Index>(robot.dofs.size());
+  return RobotHand(robot).posture(Eigen::VectorXd::Unit(dofs, dof));
 }
 
 void require_within(const WorldHand& hand, const std::string& path) {
@@ -282,18 +277,16 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   found.data = data_for(found.world.folder, request.data);
   found.setup = build_setup(found.world, request.object);
   // Use the hand of the world, mounted on its carriers.
+  const HumanHandOptions human = human_of(request, progress);
   if (!hand_from_elsewhere) {
-    found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
-                               human_of(request, progress));
-    found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
-    require_materials(found.hand.named, found.setup.materials);
-    return found;
+    found.hand = hand_of_world(found.world, request.hand, found.path, found.data, human);
+  } else {
+    // A hand from elsewhere starts open; a planner gives it its place.
+    found.hand.named = hand_by_name(request.hand, found.data, human);
+    found.hand.q = open_posture(found.hand.named.hand->layout());
   }
-  // A hand from elsewhere starts open; a planner gives it its place.
-  found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
   require_materials(found.hand.named, found.setup.materials);
-  found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }
 

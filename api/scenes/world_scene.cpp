@@ -135,12 +135,10 @@ class WorldBuilder {
       }
     // A hand that is left has no carrier in the world.
     const auto left = std::find(added.begin(), added.end(), false);
-    require(left == added.end(), "hand '{}' is mounted on '{}', which is not there",
-            left == added.end() ? ""
-                                : world_.hands[static_cast<std::size_t>(left - added.begin())].name,
-            left == added.end()
-                ? ""
-                : world_.hands[static_cast<std::size_t>(left - added.begin())].carrier);
+    if (left == added.end()) return;
+    const PlacedHand& hand = world_.hands[static_cast<std::size_t>(left - added.begin())];
+    throw InputError(
+        fmt::format("hand '{}' is mounted on '{}', which is not there", hand.name, hand.carrier));
   }
 
   [[nodiscard]] bool is_there(const std::string& hand) const {
