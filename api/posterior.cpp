@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "api/first_rank.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
+#include "sampling/run/communicator.h"
 #include "sampling/run/durable_file.h"
 
 namespace thenar {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "api/first_rank.h"
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "api/named/hands.h"
