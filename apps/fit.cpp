@@ -126,8 +126,9 @@ void run_fit(FitArguments& options) {
 void add_chain_options(CLI::App& command, FitArguments& options) {
   CLI::Option_group* const group = command.add_option_group("With --method mcmc");
   // Leave out parameters that fits have, as these are options already.
+  const std::vector<Param> fits = fit_params().params();
   std::vector<std::string> known;
-  for (const Param& param : fit_params().params())
+  for (const Param& param : fits)
     if (param.member.name != "method") known.push_back(param.member.name);
   add_request_options(*group, without(posterior_params().params(), known), options.chains);
   group->add_flag("--no-retry", options.no_retry,
