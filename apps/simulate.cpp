@@ -36,8 +36,8 @@
 namespace thenar {
 namespace {
 
-/// Delivers an answer. @throws InputError, Stopped after one that is incomplete
-/// or must not be used
+/// Delivers an answer. @throws InputError or Stopped after one that must not be used or is
+/// incomplete
 template <typename Result>
 void deliver_with_outcome(const Result& result, const Outputs& outputs) {
   deliver(outputs, result);
