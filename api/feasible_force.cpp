@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -152,11 +151,10 @@ ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact, double none) 
   // A posture in which nothing balances makes no load.
   const auto size = [](const MaxTipForce& load) {
     if (load.status == Status::kInfeasible) return 0.0;
-    return load.status == Status::kSolved ? load.component
-                                          : std::numeric_limits<double>::quiet_NaN();
+    return load.status == Status::kSolved ? load.component : kNaN;
   };
   const double all = size(intact);
-  const double share = all < none ? std::numeric_limits<double>::quiet_NaN() : 1 - size(left) / all;
+  const double share = all < none ? kNaN : 1 - size(left) / all;
   return {std::move(intact), share};
 }
 

@@ -77,21 +77,20 @@ void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& 
   if (kinds.json) command.add_flag("--json", outputs.json, "Print JSON");
   if (kinds.csv) command.add_flag("--csv", outputs.csv, "Print a table (CSV)");
   // Several outputs may be named; each option adds one file.
-  const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
-  const std::vector<std::string> endings = endings_of(kinds);
-  if (!endings.empty())
-    command
-        .add_option_function<std::string>(
-            "-o,--out,--output", add_file,
-            fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")))
+  const auto add_file_option = [&](const std::string& names, const std::string& about,
+                                   const std::vector<std::string>& endings) {
+    const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
+    command.add_option_function<std::string>(names, add_file, about)
         ->check(writable_with(endings))
         ->trigger_on_parse()
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  if (kinds.page)
-    command.add_option_function<std::string>("--report", add_file, "Page to write (.html)")
-        ->check(writable_with({".html"}))
-        ->trigger_on_parse()
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  };
+  const std::vector<std::string> endings = endings_of(kinds);
+  if (!endings.empty())
+    add_file_option("-o,--out,--output",
+                    fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")),
+                    endings);
+  if (kinds.page) add_file_option("--report", "Page to write (.html)", {".html"});
 }
 
 void begin_run(int argc, char** argv) {
