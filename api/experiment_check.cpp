@@ -146,7 +146,7 @@ void check_directions(const CheckedExperiment& of, const ExperimentPlan& plan,
 
 void check_values(const CheckedExperiment& of, SubjectMatch& found) {
   // Free no parameter: forces are compared with the subject as its file states it.
-  const std::vector<std::string> postures = names_of_each(of.experiment.postures);
+  const std::vector<std::string> postures = names_of(of.experiment.postures);
   const FitParameters parameters = choose_parameters(of.digit, postures, {});
   try {
     const ExperimentPlan plan = plan_experiment(of.digit, parameters, of.experiment);
@@ -167,7 +167,7 @@ SubjectMatch check_experiment(const SourceText& source, const Subject& subject) 
   const ExperimentLines lines = find_lines(source);
   // Without bones of this digit no other check makes sense.
   SubjectMatch found;
-  const std::vector<std::string> digits = names_of_each(subject.digits);
+  const std::vector<std::string> digits = names_of(subject.digits);
   if (!contains(digits, experiment.digit)) {
     found.misfits.push_back(
         lines.at(lines.digit, fmt::format("subject '{}' has no bones of the {}; it has those of {}",

@@ -110,7 +110,7 @@ std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
 void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subject,
                        FeasibleForceResult& answer) {
   // Every name is one of the subject's.
-  const std::vector<std::string> known = names_of_each(subject.muscles);
+  const std::vector<std::string> known = names_of(subject.muscles);
   std::vector<std::string> wanted = request.without, beside;
   // A weak muscle keeps some of its tension; a paralysed one has none.
   for (const auto& [name, limit] : request.weakened) {

@@ -69,8 +69,7 @@ void check_statements(const ImportRequest& request) {
   require_field("density", !request.density || *request.density > 0,
                 "wanted a density above 0 kg/m3, got {}", request.density.value_or(0));
   // Refuse an unknown material here, where its name was typed.
-  const std::vector<std::string> names =
-      names_of_each(materials_of_file(request.materials).materials);
+  const std::vector<std::string> names = names_of(materials_of_file(request.materials).materials);
   if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
 }
 

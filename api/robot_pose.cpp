@@ -36,7 +36,7 @@ bool drive_slides(const RobotSpec& robot, const std::string& name) {
 /// Values by names of degrees of freedom and joints, in the unit of the request.
 std::map<std::string, double> values_of(const RobotSpec& robot, const PostureRequest& posture) {
   if (posture.in_order.empty()) return posture.named;
-  const std::vector<std::string> names = names_of_each(robot.dofs);
+  const std::vector<std::string> names = names_of(robot.dofs);
   require(posture.in_order.size() == names.size(), "wanted {} values [{}], of {}, got {}",
           names.size(), posture.unit == PostureUnit::kTyped ? "deg or mm" : "rad or m",
           listed(names), posture.in_order.size());
@@ -84,7 +84,7 @@ class RobotPosture {
       move(*dof, value * drive_unit(slides(robot_, *dof), unit_));
       return;
     }
-    std::vector<std::string> known = names_of_each(robot_.dofs);
+    std::vector<std::string> known = names_of(robot_.dofs);
     for (const RobotJoint& joint : robot_.joints) {
       if (joint.kind == RobotJointKind::kFixed) continue;
       known.push_back(joint.name);

@@ -23,7 +23,7 @@ namespace {
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   // Names must be muscles of the subject, lengths positive.
-  const std::vector<std::string> names = names_of_each(subject.muscles);
+  const std::vector<std::string> names = names_of(subject.muscles);
   (void)in_order(slack, names, "muscle");  // refuses unknown names
   for (MuscleUnit& muscle : subject.muscles) {
     const auto found = slack.find(muscle.name);

@@ -61,7 +61,7 @@ template <typename List, typename Make>
 
 /// Returns the members `name` of all entries, in the order of the list.
 template <typename List>
-[[nodiscard]] std::vector<std::string> names_of_each(const List& list) {
+[[nodiscard]] std::vector<std::string> names_of(const List& list) {
   return transformed(list, [](const auto& each) { return each.name; });
 }
 

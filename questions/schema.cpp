@@ -128,7 +128,7 @@ Json checked_object(const Schema& schema, const Json& value, const std::string& 
   if (!value.is_object()) refuse(schema, value, where);
   if (schema.accepts_any_member) return value;
   // Refuse unknown members, which are usually misspelt.
-  const std::vector<std::string> names = names_of_each(schema.members);
+  const std::vector<std::string> names = names_of(schema.members);
   for (const auto& [name, entry] : value.items())
     require(contains(names, name), "{}: no member '{}'{} there are {}", where, name.substr(0, 40),
             hint_before_list(name.substr(0, 40), names), listed(names));

@@ -30,7 +30,7 @@ namespace {
 
 /// Digits with bones, then those with nothing but a tip map.
 std::vector<std::string> digit_names(const Subject& subject) {
-  std::vector<std::string> names = names_of_each(subject.digits);
+  std::vector<std::string> names = names_of(subject.digits);
   for (const TipMap& map : subject.tip_maps)
     if (!contains(names, map.digit)) names.push_back(map.digit);
   return names;

@@ -43,7 +43,7 @@ std::vector<std::string> unknown_materials(const std::string& file,
                                            const std::vector<std::string>& used,
                                            const Materials& table) {
   // Complain once about each name, however many bodies use it.
-  const std::vector<std::string> names = names_of_each(table.materials);
+  const std::vector<std::string> names = names_of(table.materials);
   std::vector<std::string> complaints;
   for (const std::string& name : std::set<std::string>(used.begin(), used.end()))
     if (!name.empty() && !contains(names, name))

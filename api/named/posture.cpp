@@ -143,7 +143,7 @@ std::vector<std::string> limit_warnings(const Skeleton& skeleton, const Eigen::V
 std::map<std::string, double> frozen_joints(const Subject& subject, const PostureRequest& request) {
   require(request.in_order.empty(), "wanted JOINT=degrees, got plain numbers");
   // Any joint of the subject can be frozen, also those of other digits.
-  const std::vector<std::string> names = names_of_each(subject.joints);
+  const std::vector<std::string> names = names_of(subject.joints);
   std::map<std::string, double> frozen;
   for (const auto& [name, value] : request.named) {
     const JointAxis& joint = subject.joints[index_of_name(name, names, "joint")];

@@ -543,14 +543,14 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
-  file.add("name/body", names_of_each(mechanism.bodies));
+  file.add("name/body", names_of(mechanism.bodies));
   const auto add_some = [&](const char* key, const std::vector<std::string>& names) {
     if (!names.empty()) file.add(key, names);
   };
   add_some("name/position_entry", entry_names(mechanism, true));
   add_some("name/speed_entry", entry_names(mechanism, false));
   add_some("name/element_state_entry", element_state_names(scene.built->scene.elements));
-  add_some("name/muscle", names_of_each(scene.measures.pulls.muscles));
+  add_some("name/muscle", names_of(scene.measures.pulls.muscles));
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
   // The method and paths are needed to build the scene again.
@@ -584,7 +584,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
   require(!sweep.runs.empty(), "no run was made: nothing to write");
   ResultFile file;
   add_names(sweep.runs.front(), file);
-  const std::vector<std::string> varied = names_of_each(sweep.request.vary);
+  const std::vector<std::string> varied = names_of(sweep.request.vary);
   file.add("varied", varied);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));
