@@ -1,11 +1,8 @@
 #include "api/compare.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,8 +11,7 @@
 #include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
-#include "base/provenance.h"
-#include "base/run_record.h"
+#include "base/lists.h"
 #include "base/rung_names.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
@@ -114,7 +110,7 @@ std::vector<BodySpec> objects_of(const CompareRequest& request) {
   std::vector<BodySpec> objects;
   for (const std::string& name : request.objects)
     objects.push_back(read_object(object_file(name, request.data)));
-  objects.insert(objects.end(), request.own_objects.begin(), request.own_objects.end());
+  append_all(objects, request.own_objects);
   return objects;
 }
 
@@ -134,9 +130,8 @@ void require_object_materials(const CompareRequest& request, const std::vector<B
 /// Builds the compared hands; warnings state assumptions about the objects.
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
-  std::vector<ComparedHand> hands;
-  hands.reserve(named.size());
-  for (const NamedHand& each : named) hands.push_back(to_compare(each));
+  std::vector<ComparedHand> hands =
+      transformed(named, [](const NamedHand& each) { return to_compare(each); });
   for (const std::string& object : without_material)
     for (ComparedHand& hand : hands)
       hand.warnings.push_back(fmt::format("no material is stated of object '{}': {} is taken",
@@ -228,7 +223,7 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
 
 /// Returns true if there is a cell of the wanted hand and object.
 bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
-  return std::any_of(cells.begin(), cells.end(), [&](const HandOnObject& cell) {
+  return any_of(cells, [&](const HandOnObject& cell) {
     return cell.hand == wanted.hand && cell.object == wanted.object;
   });
 }
@@ -284,8 +279,8 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
   };
   // Write after every cell, so that a killed comparison continues where it was.
   options.keep = [&](const Comparison& comparison) {
-    const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
-                                     [&](const auto& cell) { return holds(kept.cells, cell); });
+    const bool all_old =
+        all_of(comparison.cells, [&](const auto& cell) { return holds(kept.cells, cell); });
     if (!all_old && !request.run.arguments.empty())
       provenance = continued_provenance(kept.provenance, request.run, of.files);
     save(comparison);

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -15,20 +17,6 @@ constexpr double kNormalRounding = 1e-3;  // Rounding of the length of a unit no
 constexpr double kMaxScaledDistance = 20, kMaxContactDistance = 5;
 // Largest coefficient of friction; larger numbers are angles [1]
 constexpr double kLargestFriction = 5;
-
-/// Cones of the file, with their numbers.
-struct Numbered {
-  int number;
-  const FileContact* contact;
-};
-
-std::vector<Numbered> cones_of(const ContactFile& file) {
-  std::vector<Numbered> cones;
-  for (std::size_t i = 0; i < file.contacts.size(); ++i)
-    if (file.contacts[i].wrenches.empty())
-      cones.push_back({static_cast<int>(i), &file.contacts[i]});
-  return cones;
-}
 
 Contact contact_of(const FileContact& given) {
   return {given.position, given.normal, given.friction, given.torsion, given.patch};
@@ -49,12 +37,19 @@ std::string listed_contacts(std::vector<int> numbers) {
       all > kMaxNamedContacts ? fmt::format(" and {} more", all - kMaxNamedContacts) : "");
 }
 
-template <typename Odd>
-std::vector<int> those(const std::vector<Numbered>& cones, Odd odd) {
+/// Numbers of the contacts with cones that pass a test.
+template <typename Test>
+std::vector<int> cones_that(const ContactFile& file, const Test& test) {
   std::vector<int> numbers;
-  for (const Numbered& cone : cones)
-    if (odd(*cone.contact)) numbers.push_back(cone.number);
+  for (std::size_t i = 0; i < file.contacts.size(); ++i)
+    if (file.contacts[i].wrenches.empty() && test(file.contacts[i]))
+      numbers.push_back(static_cast<int>(i));
   return numbers;
+}
+
+/// Numbers of all contacts with cones.
+std::vector<int> all_cones(const ContactFile& file) {
+  return cones_that(file, [](const FileContact&) { return true; });
 }
 
 /// Distance from the centre of mass [m] (3).
@@ -62,19 +57,17 @@ Eigen::Vector3d arm_of(const FileContact& contact, const ContactFile& file) {
   return contact.position - file.centre_of_mass;
 }
 
-void add_normals(const ContactFile& file, const std::vector<Numbered>& cones,
-                 std::vector<std::string>& warnings) {
-  const std::vector<int> not_unit = those(
-      cones, [](const FileContact& c) { return std::abs(c.normal_length - 1) >= kNormalRounding; });
+void add_normals(const ContactFile& file, std::vector<std::string>& warnings) {
+  const std::vector<int> not_unit = cones_that(
+      file, [](const FileContact& c) { return std::abs(c.normal_length - 1) >= kNormalRounding; });
   if (!not_unit.empty())
     warnings.push_back(fmt::format("a normal of length {:.6g} was made unit: {}",
                                    at(file, not_unit).normal_length, listed_contacts(not_unit)));
 }
 
-void add_far(const ContactFile& file, const std::vector<Numbered>& cones,
-             std::vector<std::string>& warnings) {
+void add_far(const ContactFile& file, std::vector<std::string>& warnings) {
   // Far is beyond an absolute distance or beyond so many torque scales, whichever is less.
-  const std::vector<int> far = those(cones, [&](const FileContact& c) {
+  const std::vector<int> far = cones_that(file, [&](const FileContact& c) {
     return arm_of(c, file).norm() >
            std::min(kMaxContactDistance, kMaxScaledDistance * file.torque_scale);
   });
@@ -87,27 +80,26 @@ void add_far(const ContactFile& file, const std::vector<Numbered>& cones,
       r, r / file.torque_scale, listed_contacts(far)));
 }
 
-void add_outward(const ContactFile& file, const std::vector<Numbered>& cones,
-                 std::vector<std::string>& warnings) {
+void add_outward(const ContactFile& file, std::vector<std::string>& warnings) {
   const std::vector<int> outward =
-      those(cones, [&](const FileContact& c) { return c.normal.dot(arm_of(c, file)) > 0; });
-  if (!cones.empty() && outward.size() == cones.size())
+      cones_that(file, [&](const FileContact& c) { return c.normal.dot(arm_of(c, file)) > 0; });
+  if (!outward.empty() && outward.size() == all_cones(file).size())
     warnings.emplace_back(
         "all normals point away from the centre of mass; they are to point into the object, were "
         "these outward ones?");
 }
 
-void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& warnings) {
+void add_repeated(const ContactFile& file, std::vector<std::string>& warnings) {
   // Contacts in one region share one limit of normal force, whatever the number of cones.
-  std::vector<Contact> places;
-  places.reserve(cones.size());
-  for (const Numbered& cone : cones) places.push_back(contact_of(*cone.contact));
+  const std::vector<int> cones = all_cones(file);
+  const std::vector<Contact> places = transformed(
+      cones, [&](int cone) { return contact_of(file.contacts[static_cast<std::size_t>(cone)]); });
   const std::vector<int> region = contact_regions(places);
   std::set<int> met;
   // A stated patch means that the repetition is on purpose.
   std::vector<int> repeated;
   for (std::size_t i = 0; i < cones.size(); ++i)
-    if (!met.insert(region[i]).second && places[i].patch < 0) repeated.push_back(cones[i].number);
+    if (!met.insert(region[i]).second && places[i].patch < 0) repeated.push_back(cones[i]);
   if (!repeated.empty())
     warnings.push_back(
         fmt::format("the place and normal of another contact: {}; one limit counts, "
@@ -115,10 +107,9 @@ void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& 
                     listed_contacts(repeated)));
 }
 
-void add_rough(const ContactFile& file, const std::vector<Numbered>& cones,
-               std::vector<std::string>& warnings) {
+void add_rough(const ContactFile& file, std::vector<std::string>& warnings) {
   const std::vector<int> rough =
-      those(cones, [](const FileContact& c) { return c.friction > kLargestFriction; });
+      cones_that(file, [](const FileContact& c) { return c.friction > kLargestFriction; });
   if (!rough.empty())
     warnings.push_back(
         fmt::format("friction {:.4g}: {}; a coefficient is wanted, is this an angle?",
@@ -128,13 +119,12 @@ void add_rough(const ContactFile& file, const std::vector<Numbered>& cones,
 }  // namespace
 
 std::vector<std::string> contact_warnings(const ContactFile& file) {
-  const std::vector<Numbered> cones = cones_of(file);
   std::vector<std::string> warnings;
-  add_normals(file, cones, warnings);
-  add_far(file, cones, warnings);
-  add_outward(file, cones, warnings);
-  add_repeated(cones, warnings);
-  add_rough(file, cones, warnings);
+  add_normals(file, warnings);
+  add_far(file, warnings);
+  add_outward(file, warnings);
+  add_repeated(file, warnings);
+  add_rough(file, warnings);
   return warnings;
 }
 

@@ -1,11 +1,11 @@
 #include "api/experiment_check.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
@@ -72,17 +72,13 @@ void check_names(const CheckedExperiment& of, std::vector<std::string>& misfits)
   const Experiment& experiment = of.experiment;
   const TendonDigit& digit = of.digit;
   const ExperimentLines& lines = of.lines;
-  const auto known = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
   // Each unknown name is reported once, at the first line that uses it.
   std::set<std::string> told;
   const auto check_segment = [&](const std::string& name, int line) {
     if (digit.skeleton.link_of_segment.count(name) > 0 || !told.insert("segment " + name).second)
       return;
-    std::vector<std::string> segments;
-    for (const auto& [segment, link] : digit.skeleton.link_of_segment) segments.push_back(segment);
-    misfits.push_back(lines.at(line, no_such("segment", name, segments)));
+    misfits.push_back(
+        lines.at(line, no_such("segment", name, map_keys(digit.skeleton.link_of_segment))));
   };
   // Check the segments on which forces act and in whose axes they are stated.
   check_segment(experiment.force_segment, lines.segment);
@@ -94,12 +90,12 @@ void check_names(const CheckedExperiment& of, std::vector<std::string>& misfits)
   // Check the joints of postures, then the muscles of trials.
   for (std::size_t p = 0; p < experiment.postures.size(); ++p)
     for (const auto& [joint, angle] : experiment.postures[p].angles)
-      if (!known(digit.names.coordinates, joint) && told.insert("joint " + joint).second)
+      if (!contains(digit.names.coordinates, joint) && told.insert("joint " + joint).second)
         misfits.push_back(
             lines.at(lines.postures[p], no_such("free joint", joint, digit.names.coordinates)));
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)
     for (const auto& [muscle, tension] : experiment.trials[i].tension)
-      if (!known(digit.names.muscles, muscle) && told.insert("muscle " + muscle).second)
+      if (!contains(digit.names.muscles, muscle) && told.insert("muscle " + muscle).second)
         misfits.push_back(lines.at(lines.trial(i), no_such("muscle", muscle, digit.names.muscles)));
 }
 
@@ -150,8 +146,7 @@ void check_directions(const CheckedExperiment& of, const ExperimentPlan& plan,
 
 void check_values(const CheckedExperiment& of, SubjectMatch& found) {
   // Free no parameter: forces are compared with the subject as its file states it.
-  std::vector<std::string> postures;
-  for (const PostureRecord& posture : of.experiment.postures) postures.push_back(posture.name);
+  const std::vector<std::string> postures = names_of(of.experiment.postures);
   const FitParameters parameters = choose_parameters(of.digit, postures, {});
   try {
     const ExperimentPlan plan = plan_experiment(of.digit, parameters, of.experiment);
@@ -172,9 +167,8 @@ SubjectMatch check_experiment(const SourceText& source, const Subject& subject) 
   const ExperimentLines lines = find_lines(source);
   // Without bones of this digit no other check makes sense.
   SubjectMatch found;
-  std::vector<std::string> digits;
-  for (const Digit& digit : subject.digits) digits.push_back(digit.name);
-  if (std::find(digits.begin(), digits.end(), experiment.digit) == digits.end()) {
+  const std::vector<std::string> digits = names_of(subject.digits);
+  if (!contains(digits, experiment.digit)) {
     found.misfits.push_back(
         lines.at(lines.digit, fmt::format("subject '{}' has no bones of the {}; it has those of {}",
                                           subject.name, experiment.digit, listed(digits))));

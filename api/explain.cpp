@@ -6,9 +6,9 @@
 #include "api/fit.h"
 #include "api/named/digits.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/result_file.h"
-#include "data/io/toml_node.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/posture_sensitivity.h"
@@ -124,8 +124,7 @@ DigitExplained explain_digit_of(const Subject& subject, const ExplainRequest& re
   out.digit = choose_digit(subject, request.digit);
   const SourceText settings = fit_settings_source(request.settings, out.digit, request.data);
   // A digit that has tip maps alone has neither joints nor parameters to explain.
-  const bool bones = std::any_of(subject.digits.begin(), subject.digits.end(),
-                                 [&](const Digit& each) { return each.name == out.digit; });
+  const bool bones = find_named(subject.digits, out.digit) != nullptr;
   if (!bones) return out;
   TendonOptions options;
   options.path = request.path.value_or(default_path(subject));

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "hand/tip_manipulability.h"
@@ -110,8 +110,8 @@ std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
 void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subject,
                        FeasibleForceResult& answer) {
   // Every name is one of the subject's.
-  std::vector<std::string> known, wanted = request.without, beside;
-  for (const MuscleUnit& muscle : subject.muscles) known.push_back(muscle.name);
+  const std::vector<std::string> known = names_of(subject.muscles);
+  std::vector<std::string> wanted = request.without, beside;
   // A weak muscle keeps some of its tension; a paralysed one has none.
   for (const auto& [name, limit] : request.weakened) {
     require(limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name, limit);
@@ -120,7 +120,7 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
   const std::vector<std::string>& own = answer.muscles;
   for (const std::string& name : wanted) {
     (void)index_of_name(name, known, "muscle");
-    if (std::count(own.begin(), own.end(), name) == 0) beside.push_back(name);
+    if (!contains(own, name)) beside.push_back(name);
   }
   if (!beside.empty())
     answer.outcome.warnings.push_back(
@@ -128,8 +128,7 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
                     listed(beside)));
   // Those of the digit, in its order.
   for (const std::string& muscle : own) {
-    if (std::count(request.without.begin(), request.without.end(), muscle) > 0)
-      answer.without.push_back(muscle);
+    if (contains(request.without, muscle)) answer.without.push_back(muscle);
     const auto weak = request.weakened.find(muscle);
     if (weak != request.weakened.end()) answer.weakened.insert(*weak);
   }
@@ -142,7 +141,7 @@ DigitAtPosture with_weak_muscles(DigitAtPosture at, const FeasibleForceResult& a
     double& most = at.statics.max_tension[static_cast<Eigen::Index>(i)];
     const auto weak = answer.weakened.find(muscle);
     if (weak != answer.weakened.end()) most = std::min(most, weak->second);
-    if (std::count(answer.without.begin(), answer.without.end(), muscle) > 0) most = 0;
+    if (contains(answer.without, muscle)) most = 0;
   }
   return at;
 }
@@ -152,11 +151,10 @@ ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact, double none) 
   // A posture in which nothing balances makes no load.
   const auto size = [](const MaxTipForce& load) {
     if (load.status == Status::kInfeasible) return 0.0;
-    return load.status == Status::kSolved ? load.component
-                                          : std::numeric_limits<double>::quiet_NaN();
+    return load.status == Status::kSolved ? load.component : kNaN;
   };
   const double all = size(intact);
-  const double share = all < none ? std::numeric_limits<double>::quiet_NaN() : 1 - size(left) / all;
+  const double share = all < none ? kNaN : 1 - size(left) / all;
   return {std::move(intact), share};
 }
 
@@ -168,14 +166,12 @@ std::vector<std::string> muscles_of_others(const DigitCase& digit) {
     const std::vector<std::string> crossing =
         build_tendon_digit(digit.subject, each.name).names.muscles;
     std::vector<std::string>& list = each.name == digit.digit ? own : others;
-    list.insert(list.end(), crossing.begin(), crossing.end());
+    append_all(list, crossing);
   }
   // Those of them that cross the wrist, in the digit's order.
   std::vector<std::string> left_out;
   for (const std::string& muscle : digit.bones().names.muscles)
-    if (std::count(own.begin(), own.end(), muscle) == 0 &&
-        std::count(others.begin(), others.end(), muscle) > 0)
-      left_out.push_back(muscle);
+    if (!contains(own, muscle) && contains(others, muscle)) left_out.push_back(muscle);
   return left_out;
 }
 
@@ -216,9 +212,8 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
 /// The names that are not among `left_out`, in their order.
 std::vector<std::string> kept_names(const std::vector<std::string>& names,
                                     const std::vector<std::string>& left_out) {
-  std::vector<std::string> kept;
-  for (const std::string& name : names)
-    if (std::count(left_out.begin(), left_out.end(), name) == 0) kept.push_back(name);
+  std::vector<std::string> kept = names;
+  erase_where(kept, [&](const std::string& name) { return contains(left_out, name); });
   return kept;
 }
 
@@ -230,9 +225,10 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   const std::vector<std::string> all = statics.muscles;
   statics.muscles = kept_names(all, left_out);
   // Their rows of every table.
-  std::vector<Eigen::Index> rows;
-  for (const std::string& muscle : statics.muscles)
-    rows.push_back(std::find(all.begin(), all.end(), muscle) - all.begin());
+  const std::vector<Eigen::Index> rows =
+      transformed(statics.muscles, [&](const std::string& muscle) {
+        return std::find(all.begin(), all.end(), muscle) - all.begin();
+      });
   statics.max_tension = Eigen::VectorXd(statics.max_tension(rows));
   statics.R = Eigen::MatrixXd(statics.R(rows, Eigen::all));
   for (StaticsDerivative& slope : at.slopes) slope.R = Eigen::MatrixXd(slope.R(rows, Eigen::all));

@@ -9,6 +9,7 @@
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/rung_names.h"
 #include "base/words.h"
 #include "data/io/subject_doubts.h"
@@ -166,10 +167,7 @@ std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitIn
   FitInputs inputs = asked;
   inputs.net.reset();
   // Parameters of the net are not there.
-  std::vector<std::string>& free = inputs.also_free;
-  free.erase(std::remove_if(free.begin(), free.end(),
-                            [](const std::string& glob) { return glob.rfind("net/", 0) == 0; }),
-             free.end());
+  erase_where(inputs.also_free, [](const std::string& glob) { return glob.rfind("net/", 0) == 0; });
   // Compare with fractions of the hood only where the subject states them.
   if (!build_problem(inputs).digit().model.hood) return {};
   const Preparation prepared = prepare(request, std::move(inputs), options);

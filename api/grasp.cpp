@@ -5,12 +5,12 @@
 #include <ctime>
 #include <numeric>
 #include <random>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "base/units.h"
 #include "grasp/closing/approach_sampling.h"
@@ -251,22 +251,18 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
 /// Returns true if a hand that has a thumb holds the object without the thumb.
 bool thumb_is_idle(const Hand& hand, const Grasp& grasp) {
   const std::vector<std::string>& tips = hand.layout().tips;
-  if (grasp.outcome != GraspOutcome::kGrasped ||
-      std::find(tips.begin(), tips.end(), "thumb") == tips.end())
-    return false;
-  return std::none_of(
-      grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& contact) {
-        return hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit == "thumb";
-      });
+  if (grasp.outcome != GraspOutcome::kGrasped || !contains(tips, "thumb")) return false;
+  return !any_of(grasp.contacts, [&](const HandContact& contact) {
+    return hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit == "thumb";
+  });
 }
 
 /// Returns true if the object touches a surface that belongs to no digit.
 bool palm_touches(const GraspResult& result) {
   const std::vector<LinkSurface>& surfaces = result.collision_hand.hand->surfaces();
-  return std::any_of(result.grasp.contacts.begin(), result.grasp.contacts.end(),
-                     [&](const HandContact& contact) {
-                       return surfaces[static_cast<std::size_t>(contact.surface)].digit.empty();
-                     });
+  return any_of(result.grasp.contacts, [&](const HandContact& contact) {
+    return surfaces[static_cast<std::size_t>(contact.surface)].digit.empty();
+  });
 }
 
 /// Loads and efforts are no better than what the hand says of its torques; empty if that is good.

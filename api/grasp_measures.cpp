@@ -11,7 +11,6 @@
 #include "grasp/closing/describe_grasp.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/limits/grasp_force.h"
-#include "grasp/quality/task_margin.h"
 
 namespace thenar {
 namespace {

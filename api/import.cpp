@@ -1,6 +1,5 @@
 #include "api/import.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -10,9 +9,8 @@
 #include "api/named/material_names.h"
 #include "api/named/portable_world.h"
 #include "base/error.h"
-#include "base/file_io.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
-#include "base/run_record.h"
 #include "base/words.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
@@ -71,9 +69,7 @@ void check_statements(const ImportRequest& request) {
   require_field("density", !request.density || *request.density > 0,
                 "wanted a density above 0 kg/m3, got {}", request.density.value_or(0));
   // Refuse an unknown material here, where its name was typed.
-  std::vector<std::string> names;
-  for (const Material& material : materials_of_file(request.materials).materials)
-    names.push_back(material.name);
+  const std::vector<std::string> names = names_of(materials_of_file(request.materials).materials);
   if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
 }
 
@@ -114,11 +110,9 @@ Imported import_robot_file(const ImportRequest& request) {
 Imported import_body(BodySpec body, const std::string& kind, const ImportRequest& request,
                      std::vector<std::string> warnings) {
   settle_meshes(body, request.file, request.repair, warnings, true);
-  for (std::string& warning : size_warnings(body.shapes, fmt::format("object '{}'", body.name)))
-    warnings.push_back(std::move(warning));
+  append_all(warnings, size_warnings(body.shapes, fmt::format("object '{}'", body.name)));
   state_mass(request, body);
-  for (std::string& warning : density_warnings(body, fmt::format("object '{}'", body.name)))
-    warnings.push_back(std::move(warning));
+  append_all(warnings, density_warnings(body, fmt::format("object '{}'", body.name)));
   return {request, warned(std::move(warnings)), kind, std::move(body), {}, {}};
 }
 
@@ -134,8 +128,7 @@ Imported import_world(WorldSpec world, const std::string& kind, const ImportRequ
   for (const PlacedBody& placed : world.bodies) {
     if (!placed.dynamic) continue;  // floors are large
     const std::string owner = fmt::format("object '{}'", placed.body.name);
-    for (std::string& warning : size_warnings(placed.body.shapes, owner))
-      warnings.push_back(std::move(warning));
+    append_all(warnings, size_warnings(placed.body.shapes, owner));
   }
   return {request, warned(std::move(warnings)), kind, std::move(world), {}, {}};
 }
@@ -246,8 +239,7 @@ Imported import_mesh(const ImportRequest& request) {
     state_mass(request, *body);
   }
   std::vector<std::string> warnings = facts.warnings;
-  if (body)
-    for (std::string& warning : mass_warnings(*body)) warnings.push_back(std::move(warning));
+  if (body) append_all(warnings, mass_warnings(*body));
   return {request,        warned(std::move(warnings)), "mesh", std::move(content), std::move(facts),
           std::move(body)};
 }

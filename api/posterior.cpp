@@ -1,6 +1,5 @@
 #include "api/posterior.h"
 
-#include <exception>
 #include <filesystem>
 #include <utility>
 
@@ -136,19 +135,8 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
 }  // namespace
 
 std::optional<PosteriorResult> sample_fit(const SampleRequest& request, const Progress& progress) {
-  std::optional<PosteriorResult> result;
-  // The communicator ends with this block, before an exception leaves it.
-  std::exception_ptr failure;
-  {
-    const std::unique_ptr<Communicator> ranks = world_communicator();
-    try {
-      PosteriorResult found = sample_together(request, progress, *ranks);
-      if (ranks->rank() == 0) result = std::move(found);
-    } catch (const std::exception&) {
-      if (ranks->rank() == 0) failure = std::current_exception();
-    }
-  }  // MPI ends in peace before the first rank fails alone
-  if (failure) std::rethrow_exception(failure);
+  std::optional<PosteriorResult> result = result_of_first_rank(
+      [&](const Communicator& ranks) { return sample_together(request, progress, ranks); });
   if (result && result->run.draws.draws() > 1) result->summary = summarise_posterior(result->run);
   return result;
 }
@@ -184,20 +172,10 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
     result.outcome.warnings.push_back(fmt::format(
         "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",
         kept, request.draws));
-  // Predict each experiment by its own specimen if that was fitted, else by the population.
-  for (const std::string& name : request.experiments) {
-    const SourceText source = read_source(experiment_file(name, request.data));
-    const Experiment experiment = read_trials(source);
-    result.outcome.warn(prediction_warnings(problem, experiment));
-    const int fitted = find_specimen(problem, experiment.specimen);
-    const PredictedBy by = predicted_by(fitted, request.population);
-    Prediction prediction = summarise(predict_draws(
-        run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
-    result.outcome.warn(unsteady_force_warnings(prediction));
-    result.sources.push_back(source);
-    result.experiments.push_back(
-        {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
-  }
+  const auto predict = [&](const Experiment& experiment, int specimen) {
+    return summarise(predict_draws(run, experiment, specimen, request.draws));
+  };
+  add_predictions(problem, predict, result);
   out.outcome = result.outcome;
   // Chains that do not agree make the answer doubtful, but not useless.
   if (!run.convergence.warnings.empty()) out.outcome.status = Status::kStalled;

@@ -5,6 +5,7 @@
 #include "api/fit.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/trivial_prediction.h"
@@ -55,10 +56,28 @@ std::vector<std::string> prediction_warnings(const FitProblem& fitted,
   const TendonDigit digit = fitted.sized_digit(experiment);
   std::vector<std::string> warnings = experiment_warnings(
       digit, plan_experiment(digit, fitted.parameters(), experiment), experiment);
-  for (std::string& warning :
-       posture_name_warnings({with_own_postures(experiment, fitted.experiments())}))
-    warnings.push_back(std::move(warning));
+  append_all(warnings,
+             posture_name_warnings({with_own_postures(experiment, fitted.experiments())}));
   return warnings;
+}
+
+void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
+                     PredictResult& result) {
+  // Predict each experiment by its own specimen if that was fitted, else by the population.
+  for (const std::string& name : result.request.experiments) {
+    const SourceText source = read_source(experiment_file(name, result.request.data));
+    const Experiment experiment = read_trials(source);
+    result.outcome.warn(prediction_warnings(problem, experiment));
+    const int fitted = find_specimen(problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, result.request.population);
+    Prediction prediction =
+        predict(experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    // Warn of medians of draws, then set trivial predictions beside: a model has to beat them.
+    result.outcome.warn(unsteady_force_warnings(prediction));
+    result.sources.push_back(source);
+    result.experiments.push_back(
+        {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
+  }
 }
 
 PredictResult predict_forces(const PredictRequest& request) {
@@ -67,23 +86,10 @@ PredictResult predict_forces(const PredictRequest& request) {
   require_kind(request.fit, {"fit"});
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);
-  // Predict each experiment by its own specimen if that was fitted, else by the population.
-  for (const std::string& name : request.experiments) {
-    const SourceText source = read_source(experiment_file(name, request.data));
-    const Experiment experiment = read_trials(source);
-    result.outcome.warn(prediction_warnings(fit.problem, experiment));
-    const int fitted = find_specimen(fit.problem, experiment.specimen);
-    const PredictedBy by = predicted_by(fitted, request.population);
-    Prediction prediction =
-        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
-                           by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
-    // Warn of medians of draws, then set trivial predictions beside: a model has to beat them.
-    result.outcome.warn(unsteady_force_warnings(prediction));
-    result.sources.push_back(source);
-    result.experiments.push_back(
-        {experiment, beside_trivial_forces(std::move(prediction), experiment, fit.problem, by),
-         by});
-  }
+  const auto predict = [&](const Experiment& experiment, int specimen) {
+    return predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
+  };
+  add_predictions(fit.problem, predict, result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 /// Forces that a fit predicts, also for specimens that were not fitted.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,14 @@ struct PredictResult {
 /// Reads an experiment whose trials are to be predicted.
 /// @throws DataError as parse_experiment(); InputError if it has no trials.
 [[nodiscard]] Experiment read_trials(const SourceText& source);
+
+/// Prediction of an experiment by the parameters of a specimen, see predicted_by().
+using PredictSpecimen = std::function<Prediction(const Experiment& experiment, int specimen)>;
+
+/// Predicts the experiments of result.request, and adds them, their texts and warnings to `result`.
+/// @throws as predict_forces()
+void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
+                     PredictResult& result);
 
 /// Returns warnings about a prediction of the experiment by this fit.
 [[nodiscard]] std::vector<std::string> prediction_warnings(const FitProblem& fitted,

@@ -10,6 +10,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "data/io/contact_file.h"
 #include "grasp/contact/friction_pyramid.h"
@@ -28,8 +29,7 @@ constexpr double kPolytopeGap = 1e-10;
 constexpr double kMinLoadRatio = 1e-9;
 
 bool is_polytope(const WrenchSet& set) {
-  return std::all_of(set.caps.begin(), set.caps.end(),
-                     [](const WrenchCap& cap) { return cap.A.cols() == 0; });
+  return all_of(set.caps, [](const WrenchCap& cap) { return cap.A.cols() == 0; });
 }
 
 double largest_wrench_norm(const WrenchSet& set) {

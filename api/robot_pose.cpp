@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
@@ -25,24 +26,17 @@ double drive_unit(bool sliding, PostureUnit unit) {
   return sliding ? kMm : kDegree;
 }
 
-const RobotDof* dof_named(const RobotSpec& robot, const std::string& name) {
-  for (const RobotDof& dof : robot.dofs)
-    if (dof.name == name) return &dof;
-  return nullptr;
-}
-
 /// Returns true if the degree of freedom or joint of a name slides; false for unknown names.
 bool drive_slides(const RobotSpec& robot, const std::string& name) {
-  if (const RobotDof* dof = dof_named(robot, name)) return slides(robot, *dof);
-  return std::any_of(robot.joints.begin(), robot.joints.end(),
-                     [&](const RobotJoint& joint) { return joint.name == name && slides(joint); });
+  if (const RobotDof* dof = find_named(robot.dofs, name)) return slides(robot, *dof);
+  return any_of(robot.joints,
+                [&](const RobotJoint& joint) { return joint.name == name && slides(joint); });
 }
 
 /// Values by names of degrees of freedom and joints, in the unit of the request.
 std::map<std::string, double> values_of(const RobotSpec& robot, const PostureRequest& posture) {
   if (posture.in_order.empty()) return posture.named;
-  std::vector<std::string> names;
-  for (const RobotDof& dof : robot.dofs) names.push_back(dof.name);
+  const std::vector<std::string> names = names_of(robot.dofs);
   require(posture.in_order.size() == names.size(), "wanted {} values [{}], of {}, got {}",
           names.size(), posture.unit == PostureUnit::kTyped ? "deg or mm" : "rad or m",
           listed(names), posture.in_order.size());
@@ -86,12 +80,11 @@ class RobotPosture {
  private:
   void set(const std::string& name, double value) {
     // A name is a degree of freedom, or else a joint that one of them moves.
-    if (const RobotDof* dof = dof_named(robot_, name)) {
+    if (const RobotDof* dof = find_named(robot_.dofs, name)) {
       move(*dof, value * drive_unit(slides(robot_, *dof), unit_));
       return;
     }
-    std::vector<std::string> known;
-    for (const RobotDof& dof : robot_.dofs) known.push_back(dof.name);
+    std::vector<std::string> known = names_of(robot_.dofs);
     for (const RobotJoint& joint : robot_.joints) {
       if (joint.kind == RobotJointKind::kFixed) continue;
       known.push_back(joint.name);
@@ -103,7 +96,7 @@ class RobotPosture {
   }
 
   void set(const RobotJoint& joint, double value) {
-    const RobotDof* dof = dof_named(robot_, joint.dof);
+    const RobotDof* dof = find_named(robot_.dofs, joint.dof);
     if (dof == nullptr || dof->kind != DriveCoupling::kRigid)
       joints_[joint.name] = value;  // may differ from the other joints of its motor
     else
@@ -180,8 +173,7 @@ RobotPose robot_at(const RobotSpec& robot, const RobotPosture& posture) {
     warn_of_limits(joint, value, pose.warnings);
   }
   // Tips need digits, which are guessed where the file names none.
-  if (std::all_of(at.links.begin(), at.links.end(),
-                  [](const RobotLink& link) { return link.digit.empty(); }))
+  if (all_of(at.links, [](const RobotLink& link) { return link.digit.empty(); }))
     (void)infer_digits(at);
   for (const RobotTip& tip : find_tips(at, X))
     pose.tips.push_back({tip.digit, at.links[static_cast<std::size_t>(tip.link)].name, tip.p});
@@ -233,8 +225,7 @@ RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
     for (const VariedDrive& drive : poses.varied)
       pose.varied.push_back(drive_unit(drive.slides, posture.unit) * grid[i].at(drive.name));
     for (const std::string& warning : pose.warnings)
-      if (warnings.size() < kMaxWarnings &&
-          std::count(warnings.begin(), warnings.end(), warning) == 0)
+      if (warnings.size() < kMaxWarnings && !contains(warnings, warning))
         warnings.push_back(warning);
     progress(static_cast<double>(i + 1) / static_cast<double>(grid.size()),
              fmt::format("posture {} of {}", i + 1, grid.size()));

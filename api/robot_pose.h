@@ -2,7 +2,6 @@
 
 /// Poses of the joints, links and tips of a robot.
 
-#include <map>
 #include <string>
 #include <vector>
 

@@ -1,13 +1,15 @@
 #include "api/simulate.h"
 
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "api/named/files.h"
 #include "api/named/result_origin.h"
+#include "base/enum_names.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/contraction.h"
@@ -21,8 +23,7 @@ namespace {
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   // Names must be muscles of the subject, lengths positive.
-  std::vector<std::string> names;
-  for (const MuscleUnit& muscle : subject.muscles) names.push_back(muscle.name);
+  const std::vector<std::string> names = names_of(subject.muscles);
   (void)in_order(slack, names, "muscle");  // refuses unknown names
   for (MuscleUnit& muscle : subject.muscles) {
     const auto found = slack.find(muscle.name);
@@ -127,16 +128,9 @@ Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
 }
 
 Status status_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::kCompleted:
-      return Status::kSolved;
-    case MotionStatus::kStopped:
-      return Status::kStopped;
-    case MotionStatus::kLimit:
-      return Status::kLimit;
-    default:
-      return Status::kStalled;
-  }
+  if (status == MotionStatus::kCompleted) return Status::kSolved;
+  if (status == MotionStatus::kStopped) return Status::kStopped;
+  return status == MotionStatus::kLimit ? Status::kLimit : Status::kStalled;
 }
 
 }  // namespace
@@ -215,20 +209,13 @@ void write_motion(const DigitMotionResult& motion, const std::string& path, cons
 }
 
 std::string name_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::kCompleted:
-      return "done";
-    case MotionStatus::kStopped:
-      return "stopped";
-    case MotionStatus::kLimit:
-    case MotionStatus::kIntegratorFailed:
-      return "stuck";
-    case MotionStatus::kNoProgress:
-      return "no progress";
-    case MotionStatus::kUnbalanced:
-      return "energy does not balance";
-  }
-  return "";
+  constexpr std::array kWords{EnumName{MotionStatus::kCompleted, "done"},
+                              EnumName{MotionStatus::kStopped, "stopped"},
+                              EnumName{MotionStatus::kLimit, "stuck"},
+                              EnumName{MotionStatus::kIntegratorFailed, "stuck"},
+                              EnumName{MotionStatus::kNoProgress, "no progress"},
+                              EnumName{MotionStatus::kUnbalanced, "energy does not balance"}};
+  return name_in(kWords, status);
 }
 
 }  // namespace thenar

@@ -10,6 +10,7 @@
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
 #include "kinematics_fit/bands/band_posterior.h"
@@ -144,7 +145,7 @@ BandProblems free_problems(const InferNetRequest& request, InferNetResult& answe
     const std::vector<std::string> globs = parameter_globs(freed);
     std::vector<std::string>& to =
         globs.size() == 1 && globs[0] == freed ? inputs.also_free : words;
-    to.insert(to.end(), globs.begin(), globs.end());
+    append_all(to, globs);
   }
   inputs.settings.text = with_freed(std::move(inputs.settings.text), words);
   FitProblem all = build_problem(inputs);

@@ -1,10 +1,10 @@
 #include "api/tendon_solve.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "api/tendon_warnings.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/net_tendons.h"
 
 namespace thenar {
@@ -64,8 +64,7 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
   }
   // Mark the sweep as unreliable if one posture is.
   Outcome& outcome = sweep.outcome;
-  if (std::any_of(sweep.points.begin(), sweep.points.end(),
-                  [](const DigitPoint& point) { return !trusted(point.pull.status); }))
+  if (any_of(sweep.points, [](const DigitPoint& point) { return !trusted(point.pull.status); }))
     outcome.status = Status::kStalled;
   outcome.count_parts(sweep.points.size(), grid.postures.size(), "posture");
   outcome.warn(tendon_warnings(sweep.loaded, sweep.points));

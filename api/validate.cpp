@@ -1,7 +1,5 @@
 #include "api/validate.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "api/mesh_facts.h"
@@ -9,6 +7,7 @@
 #include "api/named/material_names.h"
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "data/io/doubled_trials.h"
 #include "data/io/mesh/repair_shape.h"
@@ -25,7 +24,7 @@ namespace {
 
 /// Builds what a thing says; throws where its parts do not fit together.
 void build_thing(const Subject& subject, FileVerdict& verdict) {
-  for (std::string& doubt : subject_doubts(subject)) verdict.warnings.push_back(std::move(doubt));
+  append_all(verdict.warnings, subject_doubts(subject));
   for (const Digit& digit : subject.digits) {
     // Its tendons as other questions run them, at the reference posture.
     TendonOptions options;
@@ -46,10 +45,8 @@ void build_thing(const BodySpec& body, FileVerdict& verdict) {
   (void)build_solid(body.shapes);  // throws if a mesh has holes
   const std::string owner = fmt::format("object '{}'", body.name);
   note_turned(body.shapes, owner, verdict.warnings);
-  for (std::string& warning : size_warnings(body.shapes, owner))
-    verdict.warnings.push_back(std::move(warning));
-  for (std::string& warning : density_warnings(body, owner))
-    verdict.warnings.push_back(std::move(warning));
+  append_all(verdict.warnings, size_warnings(body.shapes, owner));
+  append_all(verdict.warnings, density_warnings(body, owner));
 }
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
@@ -63,7 +60,7 @@ void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   for (const std::vector<std::string>& doubts : {robot_doubts(robot), mass_doubts(robot)})
     for (const std::string& doubt : doubts)
       if (!contains_warning(found, doubt)) found.push_back(doubt);
-  verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
+  append_all(verdict.warnings, found);
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)
       require_solid(shape, fmt::format("link '{}'", link.name));
@@ -73,9 +70,7 @@ void build_thing(const Other& /*read whole already*/, FileVerdict& /*verdict*/) 
 
 std::vector<std::string> materials_in(const BodySpec& body) { return {body.material}; }
 std::vector<std::string> materials_in(const RobotSpec& robot) {
-  std::vector<std::string> used;
-  for (const RobotLink& link : robot.links) used.push_back(link.material);
-  return used;
+  return transformed(robot.links, [&](const RobotLink& link) { return link.material; });
 }
 template <typename Other>
 std::vector<std::string> materials_in(const Other& /*none, or checked by its reader*/) {
@@ -97,8 +92,7 @@ FileVerdict verdict_of(const std::string& name, const std::string& data, const M
              table))
       verdict.warnings.push_back(std::move(unknown));
     if (const auto* experiment = std::get_if<Experiment>(&thing))
-      for (std::string& doubled : doubled_trial_warnings({*experiment}))
-        verdict.warnings.push_back(std::move(doubled));
+      append_all(verdict.warnings, doubled_trial_warnings({*experiment}));
     verdict.thing = std::move(thing);
   } catch (const Stopped&) {
     throw;
@@ -111,8 +105,7 @@ FileVerdict verdict_of(const std::string& name, const std::string& data, const M
 }  // namespace
 
 bool Validation::valid() const {
-  return std::all_of(files.begin(), files.end(),
-                     [](const FileVerdict& file) { return file.valid(); });
+  return all_of(files, [](const FileVerdict& file) { return file.valid(); });
 }
 
 Validation validate(const ValidateRequest& request) {
@@ -136,8 +129,7 @@ Validation validate(const ValidateRequest& request) {
     file.check = check_experiment(read_source(file.path), subject);
     held = true;
   }
-  const bool broken = std::any_of(out.files.begin(), out.files.end(),
-                                  [](const FileVerdict& file) { return !file.thing; });
+  const bool broken = any_of(out.files, [](const FileVerdict& file) { return !file.thing; });
   require_field("subject", out.subject.empty() || held || broken,
                 "a subject is what experiments are held to; none of the files is an experiment");
   return out;

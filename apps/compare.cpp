@@ -2,7 +2,6 @@
 //
 // Compares hands: the same approaches to the same objects, and abilities of each hand alone.
 
-#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "questions/question_params.h"
 #include "report/answers/comparison.h"
@@ -34,18 +34,12 @@ std::string kept_words(const CompareResult& result) {
 /// The files to write when all is compared: the JSON is written on the way.
 Outputs without_json(Outputs outputs) {
   const std::vector<std::string> json = outputs.with_ending({".json"});
-  auto& files = outputs.files;
-  files.erase(std::remove_if(files.begin(), files.end(),
-                             [&](const std::string& path) {
-                               return std::find(json.begin(), json.end(), path) != json.end();
-                             }),
-              files.end());
+  erase_where(outputs.files, [&](const std::string& path) { return contains(json, path); });
   return outputs;
 }
 
 void run_compare(const TypedQuestion& options) {
-  CompareRequest request = read_typed(compare_params(), options.request);
-  set_request("compare", compare_params().write(request));
+  CompareRequest request = record_typed("compare", compare_params(), options.request);
   request.file = options.outputs.only_file(".json");
   request.run = this_run();
   const Progress progress = terminal_progress(

@@ -13,21 +13,18 @@ void add_digit_commands(CLI::App& app) {
   add_question_command(
       app, {"moment-arms",
             "moment_arms",
-            {true, true, true},
             {"moment-arms synek2019_middle --posture MCP3_FE=20",
              "moment-arms mirakhorlo2016 --digit index --path wrapped --vary PIP2=0:90:5 "
              "--report out/arms.html"}});
   add_question_command(app,
                        {"tip-force",
                         "tip_force",
-                        {true, true, true},
                         {"tip-force synek2019_middle --posture MCP3_FE=40 PIP3=55 --tension FDP=10",
                          "tip-force synek2019_middle --posture MCP3_FE=40 DIP3=20 --tension FDP=10 "
                          "--vary PIP3=10:90:5 --report out/tip.html"}});
   const auto [command, typed] = add_question_command(
       app, {"feasible-force",
             "feasible_force",
-            {true, true, true},
             {"feasible-force an_chao_index --posture MCP2_FE=45 PIP2=45 DIP2=10 --axes tip "
              "--direction 0 -1 0",
              "feasible-force synek2019_middle --posture MCP3_FE=20 DIP3=15 --axes tip "

@@ -4,7 +4,6 @@
 // together, as people who differ from their population. With --method mcmc the whole posterior is
 // sampled instead: under mpirun by all ranks, and an interrupted run is continued.
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -19,6 +18,7 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
@@ -42,9 +42,8 @@ struct FitArguments {
 
 void require_method(const std::string& method) {
   const std::vector<std::string> known{"ceres", "nlopt", "nlopt-global", "ipopt", kSampling};
-  require(std::find(known.begin(), known.end(), method) != known.end(),
-          "no fit method '{}'{} there are {}", method, hint_before_list(method, known),
-          listed(known));
+  require(contains(known, method), "no fit method '{}'{} there are {}", method,
+          hint_before_list(method, known), listed(known));
 }
 
 /// Requires endings of files that the kind of result can have; other endings, such as that of a
@@ -58,8 +57,7 @@ void require_endings(const Outputs& outputs, bool sampling) {
 
 void fit_best(FitArguments& options) {
   options.fit["method"] = options.method;
-  FitRequest request = read_typed(fit_params(), options.fit);
-  set_request("fit", fit_params().write(request));
+  FitRequest request = record_typed("fit", fit_params(), options.fit);
   request.output = options.outputs.only_file(".h5");
   request.run = this_run();
   const FitResult result = fit_digit(request, terminal_progress());
@@ -99,8 +97,7 @@ void sample_posterior_of(FitArguments& options) {
   // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
-  SampleRequest request = read_typed(posterior_params(), options.chains);
-  set_request("posterior", posterior_params().write(request));
+  SampleRequest request = record_typed("posterior", posterior_params(), options.chains);
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();
   request.output = options.outputs.only_file(".nc");
@@ -123,10 +120,7 @@ void run_fit(FitArguments& options) {
   require_method(options.method);
   const bool sampling = options.method == kSampling;
   require_endings(options.outputs, sampling);
-  if (sampling)
-    sample_posterior_of(options);
-  else
-    fit_best(options);
+  sampling ? sample_posterior_of(options) : fit_best(options);
 }
 
 void add_chain_options(CLI::App& command, FitArguments& options) {

@@ -26,10 +26,11 @@ struct GraspArguments : TypedQuestion {
 };
 
 void run_grasp(const GraspArguments& options) {
-  require_ending(options.save, {".toml"});
-  if (!options.save.empty()) require_writable(options.save);
-  GraspRequest request = read_typed(grasp_params(), options.request);
-  set_request("grasp", grasp_params().write(request));
+  if (!options.save.empty()) {
+    require_ending(options.save, {".toml"});
+    require_writable(options.save);
+  }
+  GraspRequest request = record_typed("grasp", grasp_params(), options.request);
   request.world.pictures = options.outputs.page();
   const GraspResult found = measure_grasp(request, terminal_progress());
   deliver(options.outputs, found);

@@ -13,6 +13,7 @@
 #include "base/cache.h"
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
@@ -26,8 +27,7 @@ void require_command(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string name = argv[1];
-  require(std::find(names.begin(), names.end(), name) != names.end(),
-          "there is no command '{}'{} `thenar --help` lists them", name,
+  require(contains(names, name), "there is no command '{}'{} `thenar --help` lists them", name,
           hint_before_list(name, names));
 }
 
@@ -50,8 +50,7 @@ std::string full_name(const CLI::App& command) {
 std::string nearest_option(const CLI::App& command, const std::string& argument) {
   if (argument.rfind("--", 0) != 0) return ";";
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  for (const CLI::Option* option : command.get_options()) append_all(names, option->get_lnames());
   const std::string nearest = nearest_name(argument.substr(2, argument.find('=') - 2), names);
   return nearest.empty() ? ";" : fmt::format(", did you mean '--{}'?", nearest);
 }

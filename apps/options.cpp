@@ -1,11 +1,11 @@
 #include "apps/options.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/rung_names.h"
 
@@ -54,8 +54,8 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
 
 void require_ending(const std::string& path, const std::vector<std::string>& endings) {
   const std::string ending = std::filesystem::path(path).extension();
-  require(path.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end(),
-          "wanted an output that ends in {}, got '{}'", fmt::join(endings, " or "), path);
+  require(contains(endings, ending), "wanted an output that ends in {}, got '{}'",
+          fmt::join(endings, " or "), path);
 }
 
 }  // namespace thenar

@@ -28,8 +28,7 @@ void add_fit_path_option(CLI::App& command, std::optional<Path>& path);
 /// @param lines  command lines without the program: "pose barrett"
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
-/// Checks the ending of a path. @throws InputError unless `path` is empty or ends in one of
-/// `endings`.
+/// Checks the ending of a path. @throws InputError unless it is one of `endings`.
 void require_ending(const std::string& path, const std::vector<std::string>& endings);
 
 }  // namespace thenar

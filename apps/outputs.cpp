@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/options.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "report/page.h"
 
@@ -28,10 +30,8 @@ std::vector<std::string> endings_of(const OutputKinds& kinds) {
 /// Refuses a file of another ending, and one that cannot be written.
 CLI::Validator writable_with(const std::vector<std::string>& endings) {
   const auto complaint = [endings](const std::string& path) -> std::string {
-    if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
-      return fmt::format("wanted an output that ends in {}, got '{}'", fmt::join(endings, " or "),
-                         path);
     try {
+      require_ending(path, endings);
       require_writable(path);
     } catch (const InputError& error) {
       return error.what();
@@ -61,10 +61,8 @@ void add_run(AnyJson& json, const FileDigests& files) {
 }  // namespace
 
 std::vector<std::string> Outputs::with_ending(const std::vector<std::string>& endings) const {
-  std::vector<std::string> found;
-  for (const std::string& path : files)
-    if (std::find(endings.begin(), endings.end(), ending_of(path)) != endings.end())
-      found.push_back(path);
+  std::vector<std::string> found = files;
+  erase_where(found, [&](const std::string& path) { return !contains(endings, ending_of(path)); });
   return found;
 }
 
@@ -79,21 +77,20 @@ void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& 
   if (kinds.json) command.add_flag("--json", outputs.json, "Print JSON");
   if (kinds.csv) command.add_flag("--csv", outputs.csv, "Print a table (CSV)");
   // Several outputs may be named; each option adds one file.
-  const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
-  const std::vector<std::string> endings = endings_of(kinds);
-  if (!endings.empty())
-    command
-        .add_option_function<std::string>(
-            "-o,--out,--output", add_file,
-            fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")))
+  const auto add_file_option = [&](const std::string& names, const std::string& about,
+                                   const std::vector<std::string>& endings) {
+    const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
+    command.add_option_function<std::string>(names, add_file, about)
         ->check(writable_with(endings))
         ->trigger_on_parse()
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  if (kinds.page)
-    command.add_option_function<std::string>("--report", add_file, "Page to write (.html)")
-        ->check(writable_with({".html"}))
-        ->trigger_on_parse()
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  };
+  const std::vector<std::string> endings = endings_of(kinds);
+  if (!endings.empty())
+    add_file_option("-o,--out,--output",
+                    fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")),
+                    endings);
+  if (kinds.page) add_file_option("--report", "Page to write (.html)", {".html"});
 }
 
 void begin_run(int argc, char** argv) {

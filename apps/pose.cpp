@@ -13,7 +13,6 @@ void add_pose(CLI::App& app) {
   add_question_command(app,
                        {"pose",
                         "pose",
-                        {true, true, true},
                         {"pose synek2019_middle --posture MCP3_FE=40 --vary PIP3=0:90:10 --csv",
                          "pose barrett --report out/barrett.html"}});
 }

@@ -11,7 +11,6 @@ namespace thenar {
 void add_predict(CLI::App& app) {
   add_question_command(app, {"predict",
                              "predict",
-                             {true, true, true},
                              {"fit synek2019_H01 --subject an_chao_middle -o out/fit.h5",
                               "predict out/fit.h5 synek2019_B01 --report out/predicted.html"}});
 }

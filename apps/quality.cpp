@@ -20,6 +20,7 @@
 #include "apps/request_options.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "questions/question_params.h"
 #include "report/answers/quality.h"
 
@@ -109,7 +110,7 @@ void run_quality(QualityArguments options) {
   const ContactQualityRequest request = read_typed(contact_params(), options.request);
   require_valid(request);
   // A stream answers each line as it comes, and so writes no files.
-  const bool stream = std::count(options.contacts.begin(), options.contacts.end(), "-") > 0;
+  const bool stream = contains(options.contacts, "-");
   require(!stream || (options.contacts.size() == 1 && options.outputs.files.empty() &&
                       !options.outputs.csv),
           "'-' reads a stream and answers in lines of JSON: give no other {}",

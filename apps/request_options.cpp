@@ -1,6 +1,5 @@
 #include "apps/request_options.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,7 +7,7 @@
 
 #include "apps/options.h"
 #include "apps/terminal.h"
-#include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -251,10 +250,7 @@ void ask_and_deliver(const TypedQuestion& typed) {
 }
 
 std::vector<Param> without(std::vector<Param> params, const std::vector<std::string>& names) {
-  const auto is_named = [&](const Param& param) {
-    return std::find(names.begin(), names.end(), param.member.name) != names.end();
-  };
-  params.erase(std::remove_if(params.begin(), params.end(), is_named), params.end());
+  erase_where(params, [&](const Param& param) { return contains(names, param.member.name); });
   return params;
 }
 
@@ -272,7 +268,7 @@ std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
   help.pop_back();
   CLI::App* command = app.add_subcommand(about.name, help);
   add_request_options(*command, typed->question->params, typed->request);
-  add_output_options(*command, typed->outputs, about.kinds);
+  add_output_options(*command, typed->outputs, {true, true, true});
   add_examples(*command, about.examples);
   command->callback([typed] { ask_and_deliver(*typed); });
   return {command, typed};

@@ -34,15 +34,24 @@ template <typename Request>
   }
 }
 
+/// Returns the typed request, and records it as that of this run. @throws InputError naming the
+/// wrong option
+template <typename Request>
+[[nodiscard]] Request record_typed(const std::string& question, const RequestTable<Request>& table,
+                                   const Json& typed) {
+  Request request = read_typed(table, typed);
+  set_request(question, table.write(request));
+  return request;
+}
+
 /// Returns the parameters except those with these names.
 [[nodiscard]] std::vector<Param> without(std::vector<Param> params,
                                          const std::vector<std::string>& names);
 
-/// Command that answers one question.
+/// Command that answers one question, with all kinds of output.
 struct QuestionCommand {
-  const char* name;      // "tip-force"
-  const char* question;  // "tip_force"
-  OutputKinds kinds;
+  const char* name;                   // "tip-force"
+  const char* question;               // "tip_force"
   std::vector<std::string> examples;  // command lines without the program
 };
 

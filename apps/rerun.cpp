@@ -17,6 +17,7 @@
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "questions/request_file.h"
 #include "report/answers/recorded_run.h"
 
@@ -35,7 +36,7 @@ struct RerunArguments {
   require(chdir(run.folder.c_str()) == 0, "cannot go to '{}': {}", run.folder,
           std::strerror(errno));
   std::vector<std::string> words{"thenar"};
-  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+  append_all(words, run.arguments);
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
@@ -61,10 +62,9 @@ bool takes_path(const CLI::App& app, const std::vector<std::string>& arguments) 
 /// default.
 RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
   std::vector<std::string>& arguments = recorded.run.arguments;
-  const bool stated =
-      std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
-        return argument == "--path" || argument.rfind("--path=", 0) == 0;
-      });
+  const bool stated = any_of(arguments, [](const std::string& argument) {
+    return argument == "--path" || argument.rfind("--path=", 0) == 0;
+  });
   if (!takes_path || stated || !ran_on_straight_paths(recorded)) return recorded;
   arguments.insert(arguments.end(), {"--path", "via"});
   recorded.warnings.emplace_back(

@@ -36,12 +36,14 @@
 namespace thenar {
 namespace {
 
-/// Reports an answer that is incomplete or must not be used. @throws InputError, Stopped
+/// Delivers an answer. @throws InputError or Stopped after one that must not be used or is
+/// incomplete
 template <typename Result>
-void tell_outcome(const Result& result, bool stopped, const Outputs& outputs) {
+void deliver_with_outcome(const Result& result, const Outputs& outputs) {
+  deliver(outputs, result);
   const std::string refusal = refusal_of(result);
   require(refusal.empty(), "{}", refusal);
-  if (stopped)
+  if (result.outcome.stopped())
     throw Stopped(fmt::format(
         "stopped; all up to then is {}",
         outputs.files.empty() ? "above" : fmt::format("in {}", fmt::join(outputs.files, ", "))));
@@ -57,9 +59,7 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
     const SceneResult scene = simulate_scene(request, progress);
     print_warnings(scene.outcome.warnings);
     if (!file.empty()) write_scene_run(scene, file, this_run());
-    deliver(outputs, scene);
-    tell_outcome(scene, scene.outcome.stopped(), outputs);
-    return;
+    return deliver_with_outcome(scene, outputs);
   }
   // Numbers that vary make a sweep, which several processes may share.
   const std::optional<SceneSweepResult> sweep = sweep_scene(request, progress);
@@ -67,8 +67,7 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   if (sweep->runs.empty()) throw_if_stopped(0, sweep->outcome.asked, "run");
   print_warnings(sweep->outcome.warnings);
   if (!file.empty()) write_scene_sweep(*sweep, file, this_run());
-  deliver(outputs, *sweep);
-  tell_outcome(*sweep, sweep->outcome.stopped(), outputs);
+  deliver_with_outcome(*sweep, outputs);
 }
 
 /// Compares rungs of pads, delivers, and refuses as the other answers of `simulate` do.
@@ -79,8 +78,7 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
   const RungComparison comparison = compare_rungs(request, rungs, terminal_progress());
   if (comparison.runs.empty()) throw_if_stopped(0, comparison.outcome.asked, "rung");
   print_warnings(comparison.outcome.warnings);
-  deliver(outputs, comparison);
-  tell_outcome(comparison, comparison.outcome.stopped(), outputs);
+  deliver_with_outcome(comparison, outputs);
 }
 
 /// Arguments: of a subject, of a scene, or of both.
@@ -89,15 +87,14 @@ struct SimulateArguments : TypedQuestion {
 };
 
 void simulate_digit_of(const SimulateArguments& options) {
-  const DigitMotionRequest request = read_typed(digit_motion_params(), options.request);
-  set_request("digit_motion", digit_motion_params().write(request));
+  const DigitMotionRequest request =
+      record_typed("digit_motion", digit_motion_params(), options.request);
   const std::string file = options.outputs.only_file(".h5");
   if (!file.empty()) require_result_path(file);
   const DigitMotionResult motion = simulate_digit(request, terminal_progress());
   print_warnings(motion.outcome.warnings);
   if (!file.empty()) write_motion(motion, file, this_run());
-  deliver(options.outputs, motion);
-  tell_outcome(motion, motion.outcome.stopped(), options.outputs);
+  deliver_with_outcome(motion, options.outputs);
 }
 
 /// Refuses options that only the other kind of subject has.

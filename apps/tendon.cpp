@@ -13,7 +13,6 @@ void add_sweep(CLI::App& tendon) {
   const auto [command, typed] = add_question_command(
       tendon, {"sweep",
                "tendon_sweep",
-               {true, true, true},
                {"tendon sweep synek2019_middle --tension EDC=2.9 LU=0.4 --vary PIP3=0:60:10",
                 "tendon sweep synek2019_middle --tension EDC=2.9 LU=0.4 --vary MCP3_FE=0:40:20 "
                 "PIP3=0:60:10 -o net.html"}});
@@ -37,7 +36,6 @@ void add_tendon(CLI::App& app) {
       *command,
       {"infer",
        "bands",
-       {true, true, true},
        {"tendon infer synek2019_H01 --subject synek2019_middle --net winslow --propose 2",
         "tendon infer synek2019_H02 --subject synek2019_middle -o bands.html",
         "tendon infer synek2019_H01 --subject an_chao_middle --net extensor_hood --free slack "
@@ -45,7 +43,6 @@ void add_tendon(CLI::App& app) {
   add_question_command(
       *command, {"solve",
                  "tendons",
-                 {true, true, true},
                  {"tendon solve synek2019_middle --posture MCP3_FE=20 PIP3=30 --tension EDC=2.9 "
                   "LU=0.4",
                   "tendon solve an_chao_index --net chao_an --posture MCP2_FE=20 PIP2=30 --tension "

@@ -4,6 +4,8 @@
 #include "base/fidelity.h"
 
 #include "base/error.h"
+#include "base/lists.h"
+#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {
@@ -75,10 +77,7 @@ void require_rung(const Words<Rung> (&ladder)[size], Rung have, Rung need,
 }  // namespace
 
 std::string describe(const Fidelity& f) {
-  return fmt::format("{}, {}, {}, {}, {}, {}", words_of(kMotion, f.motion).name,
-                     words_of(kJoint, f.joint).name, words_of(kPath, f.path).name,
-                     words_of(kHood, f.hood).name, words_of(kMuscle, f.muscle).name,
-                     words_of(kContact, f.contact).name);
+  return listed(transformed(explain(f), [](const RungWords& words) { return words.rung; }));
 }
 
 std::vector<RungWords> explain(const Fidelity& f) {

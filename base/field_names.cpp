@@ -1,8 +1,9 @@
 #include "base/field_names.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -37,7 +38,7 @@ std::string field_name(const std::string& name) {
     after_blank = false;
   }
   // Reserved words of MATLAB, and names that begin with a digit, get an x in front.
-  if (std::find(kReservedWords.begin(), kReservedWords.end(), field) != kReservedWords.end()) {
+  if (contains(kReservedWords, field)) {
     field[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(field[0])));
     field = "x" + field;
   }
@@ -46,7 +47,7 @@ std::string field_name(const std::string& name) {
 }
 
 std::string name_of_field(const std::string& field, const std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), field) != names.end()) return field;
+  if (contains(names, field)) return field;
   // Accept a field only if a single name has it.
   std::string found;
   for (const std::string& name : names) {

@@ -1,6 +1,7 @@
 #include "base/interrupt.h"
 
 #include <unistd.h>
+#include <csignal>
 
 namespace thenar {
 namespace {

@@ -3,7 +3,6 @@
 /// Ctrl-C and SIGTERM as a request to stop: the first asks the work to save its results and end,
 /// the second kills.
 
-#include <csignal>
 #include <string>
 
 namespace thenar {

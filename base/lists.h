@@ -7,7 +7,6 @@
 #include <iterator>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace thenar {
@@ -94,6 +93,13 @@ void erase_where(List& list, const Test& test) {
 template <typename List, typename More>
 void append_all(List& list, const More& more) {
   list.insert(std::end(list), std::begin(more), std::end(more));
+}
+
+/// Adds those entries of a list to the end of another that are not in it yet.
+template <typename List, typename More>
+void append_new(List& list, const More& more) {
+  for (const auto& each : more)
+    if (!contains(list, each)) list.push_back(each);
 }
 
 }  // namespace thenar

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -20,9 +22,8 @@ std::string some_of(const std::vector<std::string>& names, std::size_t named) {
 }
 
 std::string quoted_list(const std::string& what, const std::vector<std::string>& names) {
-  std::vector<std::string> quoted;
-  quoted.reserve(names.size());
-  for (const std::string& name : names) quoted.push_back("'" + name + "'");
+  const std::vector<std::string> quoted =
+      transformed(names, [](const std::string& name) { return "'" + name + "'"; });
   return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
 }
 

@@ -8,25 +8,6 @@
 
 namespace thenar {
 
-/// Adds a posture as KEY_deg and KEY_rad: angles by joint, or a list in the order of the joints.
-/// @param about  description of the parameter
-template <typename Request>
-void add_posture(RequestTable<Request>& table, const std::string& key,
-                 PostureRequest Request::*member, const std::string& about);
-
-/// Adds joints that vary over a grid as "vary_deg" and "vary_rad", in the unit of the posture.
-template <typename Request>
-void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
-              PostureRequest Request::*posture);
-
-/// Adds the folder of the user's own data, "data".
-template <typename Request>
-void add_data(RequestTable<Request>& table, std::string Request::*member);
-
-/// Adds the kind of tendon paths, "path".
-template <typename Request>
-void add_path(RequestTable<Request>& table, std::optional<Path> Request::*member);
-
 /// Returns the parameters of a digit with linear tendons or a tip map: subject, digit, posture,
 /// frozen joints, paths, passive moments, data, map.
 [[nodiscard]] RequestTable<DigitRequest> linear_digit_params();
@@ -43,6 +24,8 @@ namespace internal {
 [[nodiscard]] Json vary_to_json(const std::vector<Vary>& vary);
 }  // namespace internal
 
+/// Adds a posture as KEY_deg and KEY_rad: angles by joint, or a list in the order of the joints.
+/// @param about  description of the parameter
 template <typename Request>
 void add_posture(RequestTable<Request>& table, const std::string& key,
                  PostureRequest Request::*member, const std::string& about) {
@@ -64,6 +47,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
   }
 }
 
+/// Adds joints that vary over a grid as "vary_deg" and "vary_rad", in the unit of the posture.
 template <typename Request>
 void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
               PostureRequest Request::*posture) {
@@ -89,6 +73,7 @@ void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
   }
 }
 
+/// Adds the folder of the user's own data, "data".
 template <typename Request>
 void add_data(RequestTable<Request>& table, std::string Request::*member) {
   table
@@ -98,6 +83,7 @@ void add_data(RequestTable<Request>& table, std::string Request::*member) {
       .scope = ParamScope::kLocal;
 }
 
+/// Adds the kind of tendon paths, "path".
 template <typename Request>
 void add_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
   table.add_word("path", kPathNames, member,

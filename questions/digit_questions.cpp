@@ -134,18 +134,15 @@ RequestTable<PoseRequest> pose_params() {
   return table;
 }
 
-MomentArmResult compute_arms(const DigitRequest& request, const Progress& progress) {
-  return compute_moment_arms(request, progress);
-}
-
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
   add_question(all, "pose", "Joints, segments or links, and tips at a posture.", pose_params(),
                ask_pose, R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
-  add_question(all, "moment_arms", "Moment arms and length changes of a digit's tendons.",
-               moment_arm_params(), compute_arms,
-               R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})", "moment-arms");
+  add_question<DigitRequest, MomentArmResult>(
+      all, "moment_arms", "Moment arms and length changes of a digit's tendons.",
+      moment_arm_params(), compute_moment_arms,
+      R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})", "moment-arms");
   add_question(all, "tip_force", "Force of a fingertip from tendon tensions.", tip_force_params(),
                compute_tip_force,
                R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,

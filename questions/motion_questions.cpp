@@ -80,10 +80,6 @@ SceneSweepResult sweep(const SceneRequest& request, const Progress& progress) {
   return sweep_scene(request, progress).value();
 }
 
-SceneResult simulate(const SceneRequest& request, const Progress& progress) {
-  return simulate_scene(request, progress);
-}
-
 }  // namespace
 
 RequestTable<DigitMotionRequest> digit_motion_params() {
@@ -184,8 +180,9 @@ void internal::add_motion_questions(std::vector<Question>& all) {
                R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
                                   "seconds": 0.05})",
                "simulate", QuestionPace::kLasts);
-  add_question(all, "scene", "How a scene of bodies and hands moves.", scene_params(), simulate,
-               R"({"scene": "incline_slide", "seconds": 0.1})", "simulate", QuestionPace::kLasts);
+  add_question<SceneRequest, SceneResult>(
+      all, "scene", "How a scene of bodies and hands moves.", scene_params(), simulate_scene,
+      R"({"scene": "incline_slide", "seconds": 0.1})", "simulate", QuestionPace::kLasts);
   add_question(
       all, "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,

@@ -1,6 +1,5 @@
 #include "questions/schema.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
@@ -82,7 +82,7 @@ bool fits_text(const Schema& schema, const Json& value) {
   if (!value.is_string()) return false;
   const std::string& text = value.get_ref<const std::string&>();
   if (schema.words.empty()) return is_within(schema, text.size());
-  return std::find(schema.words.begin(), schema.words.end(), text) != schema.words.end();
+  return contains(schema.words, text);
 }
 
 /// @throws InputError for a text that is no valid name or path
@@ -128,11 +128,9 @@ Json checked_object(const Schema& schema, const Json& value, const std::string& 
   if (!value.is_object()) refuse(schema, value, where);
   if (schema.accepts_any_member) return value;
   // Refuse unknown members, which are usually misspelt.
-  std::vector<std::string> names;
-  for (const SchemaMember& member : schema.members) names.push_back(member.name);
+  const std::vector<std::string> names = names_of(schema.members);
   for (const auto& [name, entry] : value.items())
-    require(std::find(names.begin(), names.end(), name) != names.end(),
-            "{}: no member '{}'{} there are {}", where, name.substr(0, 40),
+    require(contains(names, name), "{}: no member '{}'{} there are {}", where, name.substr(0, 40),
             hint_before_list(name.substr(0, 40), names), listed(names));
   // Check the known members, or set their default values.
   Json out = Json::object();

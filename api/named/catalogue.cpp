@@ -1,6 +1,5 @@
 #include "api/named/catalogue.h"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "api/named/material_names.h"
 #include "api/named/things.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "data/io/json_node.h"
@@ -22,8 +22,8 @@ namespace {
 std::string words_of(const TomlNode* node) {
   if (node == nullptr) return "";
   if (node->kind != TomlKind::kArray) return node->text;
-  std::vector<std::string> texts;
-  for (const TomlNode& item : node->items) texts.push_back(item.text);
+  const std::vector<std::string> texts =
+      transformed(node->items, [&](const TomlNode& item) { return item.text; });
   return texts.empty() ? "" : listed(texts);
 }
 
@@ -65,7 +65,7 @@ void add_human_hands(Catalogue& out) {
       EnumName{HumanVersion::kSoftPads, "Human hand, axes as measured, soft pads"},
       EnumName{HumanVersion::kTendonNet, "Human hand, moved by tendons with extensor nets"}};
   for (const auto& [version, title] : kTitles)
-    out.entries.push_back({"hand", "human:" + name_in(kHumanVersionNames, version), title, "", ""});
+    out.entries.push_back({"hand", "human:" + name_in(kHumanVersionNames, version), title});
 }
 
 std::string limits_of(double lower, double upper, bool slides) {
@@ -75,11 +75,11 @@ std::string limits_of(double lower, double upper, bool slides) {
 
 void add_joints(const Subject& subject, Catalogue& out) {
   for (const JointAxis& joint : subject.joints)
-    out.entries.push_back({"joint", joint.name,
-                           fmt::format("{} on {}, {}", joint.child, joint.parent,
-                                       joint.coupling ? "follows another joint"
-                                                      : limits_of(joint.lower, joint.upper, false)),
-                           "", ""});
+    out.entries.push_back(
+        {"joint", joint.name,
+         fmt::format("{} on {}, {}", joint.child, joint.parent,
+                     joint.coupling ? "follows another joint"
+                                    : limits_of(joint.lower, joint.upper, false))});
 }
 
 void add_joints(const RobotSpec& robot, Catalogue& out) {
@@ -89,8 +89,7 @@ void add_joints(const RobotSpec& robot, Catalogue& out) {
         {"joint", joint.name,
          fmt::format("{} on {}, {}{}", joint.child, joint.parent,
                      limits_of(joint.lower, joint.upper, joint.kind == RobotJointKind::kPrismatic),
-                     joint.dof.empty() ? "" : ", driven by " + joint.dof),
-         "", ""});
+                     joint.dof.empty() ? "" : ", driven by " + joint.dof)});
   }
 }
 
@@ -99,16 +98,13 @@ void add_muscles(const Subject& subject, Catalogue& out) {
     out.entries.push_back(
         {"muscle", muscle.name,
          fmt::format("{}F0 {}", muscle.strand.empty() ? "" : "strand " + muscle.strand + ", ",
-                     muscle.max_force ? fmt::format("{:.4g} N", *muscle.max_force) : "unknown"),
-         "", ""});
+                     muscle.max_force ? fmt::format("{:.4g} N", *muscle.max_force) : "unknown")});
 }
 
 void add_digits(const Subject& subject, Catalogue& out) {
-  for (const Digit& digit : subject.digits)
-    out.entries.push_back({"digit", digit.name, "", "", ""});
+  for (const Digit& digit : subject.digits) out.entries.push_back({"digit", digit.name});
   for (const TipMap& map : subject.tip_maps)
-    out.entries.push_back(
-        {"digit", map.digit, fmt::format("published tip map {}", map.name), "", ""});
+    out.entries.push_back({"digit", map.digit, fmt::format("published tip map {}", map.name)});
 }
 
 /// Parts of a subject or a robot.
@@ -132,14 +128,14 @@ void add_materials(const std::string& file, Catalogue& out) {
   for (const Material& material : materials_of_file(file).materials)
     out.entries.push_back(
         {"material", material.name,
-         material.density > 0 ? fmt::format("{:.4g} kg/m3", material.density) : "", "", ""});
+         material.density > 0 ? fmt::format("{:.4g} kg/m3", material.density) : ""});
 }
 
 }  // namespace
 
 std::vector<std::string> catalogue_words() {
-  std::vector<std::string> words;
-  for (const ThingKind& kind : thing_kinds()) words.push_back(kind.plural);
+  std::vector<std::string> words =
+      transformed(thing_kinds(), [&](const ThingKind& kind) { return kind.plural; });
   words.insert(words.end(), {"materials", "joints", "muscles", "digits"});
   return words;
 }

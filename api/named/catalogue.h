@@ -18,11 +18,11 @@ struct CatalogueRequest {
 
 /// One name, with a description.
 struct CatalogueEntry {
-  std::string kind;    // "subject"
-  std::string name;    // name that commands accept
-  std::string about;   // its title, or a description of a joint or muscle; may be empty
-  std::string source;  // citation keys; may be empty
-  std::string file;    // empty: none of its own
+  std::string kind;         // "subject"
+  std::string name;         // name that commands accept
+  std::string about = {};   // its title, or a description of a joint or muscle; may be empty
+  std::string source = {};  // citation keys; may be empty
+  std::string file = {};    // empty: none of its own
 };
 
 struct Catalogue {

@@ -10,6 +10,7 @@
 #include "api/named/shipped_data.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/outside_path.h"
 
@@ -65,11 +66,10 @@ std::vector<std::string> data_folders(const std::string& given, const std::strin
   const char* named = std::getenv("THENAR_DATA");
   std::vector<std::string> places;
   std::vector<std::string> all{given, named == nullptr ? "" : named, "data", near};
-  for (const std::string& shipped : shipped_data()) all.push_back(shipped);
+  append_all(all, shipped_data());
   // Keep the first mention of each folder alone.
-  for (const std::string& place : all)
-    if (!place.empty() && std::find(places.begin(), places.end(), place) == places.end())
-      places.push_back(place);
+  append_new(places, all);
+  erase_where(places, [](const std::string& place) { return place.empty(); });
   return places;
 }
 

@@ -1,10 +1,8 @@
 #include "api/named/digits.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,16 +30,14 @@ namespace {
 
 /// Digits with bones, then those with nothing but a tip map.
 std::vector<std::string> digit_names(const Subject& subject) {
-  std::vector<std::string> names;
-  for (const Digit& digit : subject.digits) names.push_back(digit.name);
+  std::vector<std::string> names = names_of(subject.digits);
   for (const TipMap& map : subject.tip_maps)
-    if (std::count(names.begin(), names.end(), map.digit) == 0) names.push_back(map.digit);
+    if (!contains(names, map.digit)) names.push_back(map.digit);
   return names;
 }
 
 bool has_bones(const Subject& subject, const std::string& digit) {
-  return std::any_of(subject.digits.begin(), subject.digits.end(),
-                     [&](const Digit& each) { return each.name == digit; });
+  return find_named(subject.digits, digit) != nullptr;
 }
 
 /// Digits whose joints some muscle crosses.
@@ -114,13 +110,11 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
 /// Limits of all postures, and arms that collapse where the joints that vary are not moved yet.
 void add_warnings(const DigitRequest& request, DigitCase& at) {
   at.warnings = subject_doubts(at.subject);
-  at.warnings.insert(at.warnings.end(), at.grid.warnings.begin(), at.grid.warnings.end());
+  append_all(at.warnings, at.grid.warnings);
   const DigitTendons& linear = at.net != nullptr ? at.net->linear() : *at.tendons;
   const Eigen::VectorXd q = posture_of(at.bones().skeleton, request.posture);
-  for (std::string& warning : collapse_warnings(linear, q))
-    at.warnings.push_back(std::move(warning));
-  for (std::string& warning : reversal_warnings(linear, at.grid))
-    at.warnings.push_back(std::move(warning));
+  append_all(at.warnings, collapse_warnings(linear, q));
+  append_all(at.warnings, reversal_warnings(linear, at.grid));
 }
 
 DigitAtPosture at_map(const DigitCase& at) {
@@ -128,7 +122,7 @@ DigitAtPosture at_map(const DigitCase& at) {
   DigitAtPosture found{
       at.subject.name, at.digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}, {}, 1, {}};
   found.built = fmt::format("published tip map '{}', in its own x, y, z", map.name);
-  for (const std::string& moment : moment_rows(map)) found.rows.push_back(moment);
+  append_all(found.rows, moment_rows(map));
   found.statics = statics_from_tip_map(at.subject, map);
   return found;
 }

@@ -1,6 +1,5 @@
 #include "api/named/files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -9,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/run_record.h"
 #include "data/io/checked_file.h"
@@ -88,8 +88,7 @@ FileContents of_hdf5(const std::string& path) {
   }
   // Tell kinds apart by groups that only one of them has.
   const auto has = [&](const std::string& start) {
-    return std::any_of(keys.begin(), keys.end(),
-                       [&](const std::string& key) { return starts_with(key, start); });
+    return any_of(keys, [&](const std::string& key) { return starts_with(key, start); });
   };
   if (has("fit/z")) return {"fit", "HDF5", {}};
   if (has("unconstrained_posterior/") || has("posterior/")) return {"posterior", "netCDF", {}};
@@ -233,11 +232,10 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   } catch (const DataError&) {
     return;  // the reader reports the error
   }
-  if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
+  if (found.kind.empty() || contains(kinds, found.kind)) return;
   // Name the found kind, the accepted kinds, and the commands that accept the file.
-  std::vector<std::string> wanted;
-  wanted.reserve(kinds.size());
-  for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
+  const std::vector<std::string> wanted =
+      transformed(kinds, [](const std::string& kind) { return with_article(kind); });
   std::string ways;
   if (!found.commands.empty())
     ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",

@@ -12,7 +12,6 @@
 #include "base/file_io.h"
 #include "base/interrupt.h"
 #include "base/name_hint.h"
-#include "base/nearest_name.h"
 #include "base/rung_names.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"

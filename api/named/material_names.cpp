@@ -9,6 +9,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -42,19 +43,18 @@ std::vector<std::string> unknown_materials(const std::string& file,
                                            const std::vector<std::string>& used,
                                            const Materials& table) {
   // Complain once about each name, however many bodies use it.
-  std::vector<std::string> names;
-  for (const Material& material : table.materials) names.push_back(material.name);
+  const std::vector<std::string> names = names_of(table.materials);
   std::vector<std::string> complaints;
   for (const std::string& name : std::set<std::string>(used.begin(), used.end()))
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+    if (!name.empty() && !contains(names, name))
       complaints.push_back(fmt::format("{}:{}: no material '{}'{}", file, line_of_name(file, name),
                                        name, did_you_mean(name, names)));
   return complaints;
 }
 
 void require_materials(const NamedHand& hand, const Materials& table) {
-  std::vector<std::string> used;
-  for (const LinkSurface& surface : hand.hand->surfaces()) used.push_back(surface.material);
+  const std::vector<std::string> used = transformed(
+      hand.hand->surfaces(), [&](const LinkSurface& surface) { return surface.material; });
   const std::vector<std::string> unknown =
       unknown_materials(hand.file.empty() ? hand.name : hand.file, used, table);
   require(unknown.empty(), "{}; a materials file may give others",

@@ -4,12 +4,12 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <map>
 
 #include "api/named/shipped_data.h"
 #include "api/named/worlds.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "data/io/file_kind.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/world/named_parts.h"
@@ -57,7 +57,7 @@ fs::path common_folder(const FileSet& files) {
   const auto holds = [&](const fs::path& file) {
     return stays_below(file.lexically_relative(common));
   };
-  while (!std::all_of(files.begin(), files.end(), holds)) common = common.parent_path();
+  while (!all_of(files, holds)) common = common.parent_path();
   return common;
 }
 
@@ -131,16 +131,14 @@ class Gathering {
   [[nodiscard]] fs::path free_place(const FileCopies& copies) const {
     for (int number = 1;; ++number) {
       fs::path to = folder_ / std::to_string(number);
-      const bool taken = std::any_of(copies_.begin(), copies_.end(),
-                                     [&](const FileCopies& other) { return other.to == to; });
+      const bool taken = any_of(copies_, [&](const FileCopies& other) { return other.to == to; });
       if (!taken && (!fs::exists(fs::symlink_status(to)) || is_there(copies, to))) return to;
     }
   }
 
   /// Returns true if a folder holds exactly the same files.
   static bool is_there(const FileCopies& copies, const fs::path& folder) {
-    return copies.files == files_below(folder) &&
-           std::all_of(copies.files.begin(), copies.files.end(), [&](const fs::path& file) {
+    return copies.files == files_below(folder) && all_of(copies.files, [&](const fs::path& file) {
              return same_bytes(copies.from / file, folder / file);
            });
   }
@@ -168,7 +166,7 @@ std::string shipped_name(const std::string& file, const std::string& folder,
     // The same file, reached by another path, needs no comparison of bytes.
     if (fs::equivalent(given, here / given.filename(), failed)) return name;
     // A copy counts as shipped only if all files that it reads are the same, byte by byte.
-    const bool same = std::all_of(files.begin(), files.end(), [&](const auto& read) {
+    const bool same = all_of(files, [&](const auto& read) {
       const fs::path seen =
           whole_path("", read.first).lexically_relative(whole_path("", given).parent_path());
       return same_bytes(read.first, here / seen);

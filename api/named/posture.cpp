@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 
@@ -87,10 +88,9 @@ Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& reque
   require(request.in_order.size() == joints.size(), "wanted {} angles [{}], of {}, got {}",
           joints.size(), request.unit == PostureUnit::kTyped ? "deg" : "rad", listed(joints),
           request.in_order.size());
-  Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
-  for (Eigen::Index i = 0; i < q.size(); ++i)
-    q[i] = unit_of(request) * request.in_order[static_cast<std::size_t>(i)];
-  return checked_angles(q, joints);
+  const Eigen::Map<const Eigen::VectorXd> angles(request.in_order.data(),
+                                                 static_cast<Eigen::Index>(joints.size()));
+  return checked_angles(unit_of(request) * angles, joints);
 }
 
 PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
@@ -100,8 +100,7 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
   grid.postures = {posture_of(skeleton, request)};
   for (const Vary& each : vary) {
     const AngleRange range = range_of(skeleton, each, request);
-    require(std::count(grid.varied.begin(), grid.varied.end(), range.joint) == 0,
-            "joint '{}' varies twice", each.joint);
+    require(!contains(grid.varied, range.joint), "joint '{}' varies twice", each.joint);
     require(grid.postures.size() * range.angles.size() <= kMaxPostures, "more than {} postures",
             kMaxPostures);
     grid.varied.push_back(range.joint);
@@ -123,9 +122,7 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
   // Warn once of each joint that leaves its range at either end of the sweep.
   grid.warnings = limit_warnings(skeleton, grid.postures.front());
   if (grid.postures.size() > 1)
-    for (const std::string& warning : limit_warnings(skeleton, grid.postures.back()))
-      if (std::count(grid.warnings.begin(), grid.warnings.end(), warning) == 0)
-        grid.warnings.push_back(warning);
+    append_new(grid.warnings, limit_warnings(skeleton, grid.postures.back()));
   return grid;
 }
 
@@ -146,8 +143,7 @@ std::vector<std::string> limit_warnings(const Skeleton& skeleton, const Eigen::V
 std::map<std::string, double> frozen_joints(const Subject& subject, const PostureRequest& request) {
   require(request.in_order.empty(), "wanted JOINT=degrees, got plain numbers");
   // Any joint of the subject can be frozen, also those of other digits.
-  std::vector<std::string> names;
-  for (const JointAxis& joint : subject.joints) names.push_back(joint.name);
+  const std::vector<std::string> names = names_of(subject.joints);
   std::map<std::string, double> frozen;
   for (const auto& [name, value] : request.named) {
     const JointAxis& joint = subject.joints[index_of_name(name, names, "joint")];

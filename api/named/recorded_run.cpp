@@ -1,6 +1,5 @@
 #include "api/named/recorded_run.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/provenance.h"
 #include "data/io/inference_file.h"
 #include "data/io/json_node.h"
@@ -148,7 +148,7 @@ RecordedRun read_recorded_run(const std::string& path) {
 void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands) {
   // Only commands that answer a question and end can be run again.
   const std::string& name = recorded.run.arguments.front();
-  const bool known = std::find(commands.begin(), commands.end(), name) != commands.end();
+  const bool known = contains(commands, name);
   // No file of a stranger opens a server.
   const bool answers = name != "rerun" && name != "view" && name != "serve";
   require(known && answers, "'{}' records '{}', which is no command to run again", recorded.file,

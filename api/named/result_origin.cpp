@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/provenance.h"
-
 namespace thenar {
 
 void add_origin(const std::vector<SourceText>& sources, const RunRecord& run, ResultFile& file) {

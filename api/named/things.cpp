@@ -1,6 +1,5 @@
 #include "api/named/things.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
-#include "base/nearest_name.h"
 #include "base/run_record.h"
 #include "data/io/result_layout.h"
 #include "data/io/robot/import_robot.h"
@@ -23,8 +22,7 @@ namespace {
 std::vector<std::string> all_names(const std::vector<std::string>& places) {
   std::vector<std::string> names;
   for (const ThingKind& kind : thing_kinds())
-    for (std::string& name : names_in(places, kind.folder, kind.ending))
-      names.push_back(std::move(name));
+    append_all(names, names_in(places, kind.folder, kind.ending));
   return names;
 }
 

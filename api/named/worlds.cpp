@@ -12,9 +12,9 @@
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
-#include "base/run_record.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -67,14 +67,12 @@ std::size_t index_of(const WorldSpec& world, const std::string& name) {
 }
 
 std::vector<std::string> names_of(const WorldSpec& world) {
-  std::vector<std::string> names;
-  for (const PlacedHand& hand : world.hands) names.push_back(current_hand_name(hand.name));
-  return names;
+  return transformed(world.hands,
+                     [&](const PlacedHand& hand) { return current_hand_name(hand.name); });
 }
 
 bool carries(const WorldSpec& world, const std::string& name) {
-  return std::any_of(world.hands.begin(), world.hands.end(),
-                     [&](const PlacedHand& hand) { return hand.carrier == name; });
+  return any_of(world.hands, [&](const PlacedHand& hand) { return hand.carrier == name; });
 }
 
 std::size_t chosen(const WorldSpec& world, const std::string& name, const std::string& path) {
@@ -203,15 +201,10 @@ Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
   const RobotSpec robot = import_robot(file_of(world, placed, data));
   // One unit of this motor, nothing of the others: the posture is the direction in which it moves
   // the joints.
-  Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
-  bool found = false;
-  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
-    if (robot.dofs[d].name != name) continue;
-    dofs[static_cast<Eigen::Index>(d)] = 1;
-    found = true;
-  }
-  if (!found) return {};
-  return RobotHand(robot).posture(dofs);
+  const int dof = place_named(robot.dofs, name);
+  if (dof < 0) return {};
+  const auto dofs = static_cast<Eigen::Index>(robot.dofs.size());
+  return RobotHand(robot).posture(Eigen::VectorXd::Unit(dofs, dof));
 }
 
 void require_within(const WorldHand& hand, const std::string& path) {
@@ -284,24 +277,22 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   found.data = data_for(found.world.folder, request.data);
   found.setup = build_setup(found.world, request.object);
   // Use the hand of the world, mounted on its carriers.
+  const HumanHandOptions human = human_of(request, progress);
   if (!hand_from_elsewhere) {
-    found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
-                               human_of(request, progress));
-    found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
-    require_materials(found.hand.named, found.setup.materials);
-    return found;
+    found.hand = hand_of_world(found.world, request.hand, found.path, found.data, human);
+  } else {
+    // A hand from elsewhere starts open; a planner gives it its place.
+    found.hand.named = hand_by_name(request.hand, found.data, human);
+    found.hand.q = open_posture(found.hand.named.hand->layout());
   }
-  // A hand from elsewhere starts open; a planner gives it its place.
-  found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
   require_materials(found.hand.named, found.setup.materials);
-  found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }
 
 bool has_hand(const WorldRequest& request) {
   const std::vector<std::string> names = names_of(read_world_at(world_file(request), request.data));
-  return std::find(names.begin(), names.end(), current_hand_name(request.hand)) != names.end();
+  return contains(names, current_hand_name(request.hand));
 }
 
 std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
@@ -324,8 +315,7 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
-  for (std::string& warning : missing_material_warnings(world))
-    hand.named.warnings.push_back(std::move(warning));
+  append_all(hand.named.warnings, missing_material_warnings(world));
   return hand;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "data/io/pad/law_file.h"
 #include "data/io/pad/pad_digest.h"
@@ -47,7 +47,7 @@ void add_presses(PadLaws& out, const MeasuredPresses& measured, bool fitted) {
   for (const MeasuredPress& press : measured.presses)
     out.presses.push_back({fitted, press, std::nullopt});
   std::vector<std::string>& failures = out.calibration.failures;
-  failures.insert(failures.end(), measured.failures.begin(), measured.failures.end());
+  append_all(failures, measured.failures);
 }
 
 /// Laws beside each press.

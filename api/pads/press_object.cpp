@@ -49,31 +49,27 @@ Pose<double> below(double depth, const Eigen::Matrix3d& R = Eigen::Matrix3d::Ide
 }
 
 PressObject open_plane(double size) {
-  PressObject object;
-  object.name = "plane";
-  object.shape =
-      place(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), below(kEndlessLength / 2));
   const double plate = 0.1 * size;
-  object.picture = placed(box_mesh({2 * size, 2 * size, plate}), below(plate / 2));
-  return object;
+  return {
+      "plane",
+      place(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), below(kEndlessLength / 2)),
+      placed(box_mesh({2 * size, 2 * size, plate}), below(plate / 2)),
+      {}};
 }
 
 PressObject open_sphere(double radius) {
-  PressObject object;
-  object.name = fmt::format("sphere of {:g} mm", radius / kMm);
-  object.shape = place(build_sphere(radius), below(radius));
-  object.picture = placed(picture_of(ShapeKind::kSphere, {radius, 0, 0}), below(radius));
-  return object;
+  return {fmt::format("sphere of {:g} mm", radius / kMm),
+          place(build_sphere(radius), below(radius)),
+          placed(picture_of(ShapeKind::kSphere, {radius, 0, 0}), below(radius)),
+          {}};
 }
 
 PressObject open_cylinder(double radius, double size) {
   const Eigen::Matrix3d along_y = rotation_about<double>({1, 0, 0}, -kPi / 2);
-  PressObject object;
-  object.name = fmt::format("cylinder of {:g} mm", radius / kMm);
-  object.shape = place(build_cylinder(radius, kEndlessLength), below(radius, along_y));
-  object.picture =
-      placed(picture_of(ShapeKind::kCylinder, {radius, 2 * size, 0}), below(radius, along_y));
-  return object;
+  return {fmt::format("cylinder of {:g} mm", radius / kMm),
+          place(build_cylinder(radius, kEndlessLength), below(radius, along_y)),
+          placed(picture_of(ShapeKind::kCylinder, {radius, 2 * size, 0}), below(radius, along_y)),
+          {}};
 }
 
 /// Two faces at right angles, 45 degrees to either side of the ridge, which is rounded.
@@ -81,16 +77,14 @@ PressObject open_edge(double radius, double size) {
   const Eigen::Matrix3d on_edge = rotation_about<double>({0, 1, 0}, kPi / 4);
   const auto wedge = [&](double edge) { return below(radius + edge * std::sqrt(0.5), on_edge); };
   // The contact geometry is a box that never ends; the picture shows a piece of it.
-  PressObject object;
-  object.name = fmt::format("edge of {:g} mm", radius / kMm);
-  object.shape =
-      place(build_rounded(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), radius),
-            wedge(kEndlessLength));
   const double seen = 0.5 * size;
-  object.picture =
+  return {
+      fmt::format("edge of {:g} mm", radius / kMm),
+      place(build_rounded(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), radius),
+            wedge(kEndlessLength)),
       placed(tessellate(*build_rounded(build_box({seen, 2 * size, seen}), radius), kPictureError),
-             wedge(seen));
-  return object;
+             wedge(seen)),
+      {}};
 }
 
 PressObject open_mesh(const PressObjectRequest& request) {
@@ -104,12 +98,7 @@ PressObject open_mesh(const PressObjectRequest& request) {
   const Vector3d high = spec.mesh.vertices.rowwise().maxCoeff();
   spec.X_BS.p = -Vector3d((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]);
   const Solid solid = build_solid({spec});
-  PressObject object;
-  object.name = request.name;
-  object.shape = solid.shape;
-  object.picture = solid.visual;
-  object.files = digests_of({request.name});
-  return object;
+  return {request.name, solid.shape, solid.visual, digests_of({request.name})};
 }
 
 double radius_of(const PressObjectRequest& request, double usual) {

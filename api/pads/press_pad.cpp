@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "base/thread_seconds.h"
 #include "base/units.h"
@@ -305,8 +306,7 @@ void add_warnings(PressResult& out) {
 
 bool PressResult::relaxes() const {
   return request.rate.value_or(0) > 0 &&
-         std::any_of(pad.model.tissues.begin(), pad.model.tissues.end(),
-                     [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
+         any_of(pad.model.tissues, [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
 const PressInstant* PressResult::end_of_motion() const {

@@ -112,31 +112,29 @@ std::vector<PressRung> law_rungs(const PressResult& pressed, double depth) {
   const PadShape& shape = pressed.pad.model.shape;
   const DeepestSkin deepest = deepest_skin(PadChart(shape), object, X_PO);
   const RelativeCurvatures gap = skin_gap(*skin_solid(shape), object, X_PO, deepest.place);
-  const auto add = [&](const std::string& name, const ContactLaw& law) {
-    const LawContact contact = law.at_depth(gap, depth, friction);
-    PressRung rung = law_rung(name, "");
-    rung.force = contact.force;
-    rung.area = contact.area;
-    rung.torsion = contact.patch.torsion;
-    rung.cpu = seconds_of_call(1000, [&] { return law.at_depth(gap, depth, friction).force; });
+  const auto add = [&](PressRung rung, double force, double area, double torsion, double cpu) {
+    rung.force = force;
+    rung.area = area;
+    rung.torsion = torsion;
+    rung.cpu = cpu;
     rung.note = note;
-    rungs.push_back(rung);
+    rungs.push_back(std::move(rung));
   };
-  add("power law", PowerLaw(laws.power));
-  add("soft finger", SoftFinger(laws.soft_finger));
-  add("elastic foundation", ElasticFoundation(laws.foundation));
+  const auto add_law = [&](const std::string& name, const ContactLaw& law) {
+    const LawContact contact = law.at_depth(gap, depth, friction);
+    add(law_rung(name, ""), contact.force, contact.area, contact.patch.torsion,
+        seconds_of_call(1000, [&] { return law.at_depth(gap, depth, friction).force; }));
+  };
+  add_law("power law", PowerLaw(laws.power));
+  add_law("soft finger", SoftFinger(laws.soft_finger));
+  add_law("elastic foundation", ElasticFoundation(laws.foundation));
 
   // By springs over the skin.
   const FoundationBed bed(pad_columns(shape, kBedRings), laws.foundation);
   const BedContact contact = bed.press(object, X_PO, friction);
-  PressRung rung =
-      law_rung("foundation bed", contact.behind ? "the object is too thin for it" : "");
-  rung.force = pressed.touch.along.dot(contact.push.force);
-  rung.area = contact.area;
-  rung.torsion = contact.torsion;
-  rung.cpu = seconds_of_call(20, [&] { return bed.press(object, X_PO, friction).force; });
-  rung.note = note;
-  rungs.push_back(rung);
+  add(law_rung("foundation bed", contact.behind ? "the object is too thin for it" : ""),
+      pressed.touch.along.dot(contact.push.force), contact.area, contact.torsion,
+      seconds_of_call(20, [&] { return bed.press(object, X_PO, friction).force; }));
   return rungs;
 }
 

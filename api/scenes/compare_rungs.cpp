@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 
 #include "api/scenes/scene_account.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/parallel_tasks.h"
 
@@ -90,8 +90,7 @@ std::vector<std::string> warnings_of(const RungComparison& comparison) {
   for (const RungRun& run : comparison.runs) {
     // Of building it what the first had not, and all of the run.
     for (const std::string& warning : run.scene.outcome.warnings)
-      if (std::find(all.begin(), all.end(), warning) == all.end())
-        all.push_back(fmt::format("on {}: {}", run.rung, warning));
+      if (!contains(all, warning)) all.push_back(fmt::format("on {}: {}", run.rung, warning));
     if (const std::string refusal = refusal_of(run.scene); !refusal.empty())
       all.push_back(fmt::format("on {}: {}", run.rung, refusal));
   }

@@ -2,7 +2,6 @@
 
 /// Comparison of a scene on several rungs of its finger pads: cost, and difference from the finest.
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -39,7 +40,7 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
   // Warnings of building the scene and of its muscles come first.
   std::vector<std::string> warnings = scene.built->warnings;
   const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
-  warnings.insert(warnings.end(), pulls.begin(), pulls.end());
+  append_all(warnings, pulls);
   // Then events without end, surfaces that moved too fast, penetration and limits.
   if (scene.run.cost.passed > 0)
     warnings.push_back(fmt::format(

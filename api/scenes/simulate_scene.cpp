@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include "api/named/data_folders.h"
@@ -19,6 +17,7 @@
 #include "api/named/worlds.h"
 #include "api/scenes/scene_account.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
 #include "base/rung_names.h"
@@ -295,10 +294,7 @@ void tell_outcome(bool stopped, SceneSweepResult& sweep) {
   outcome.done = sweep.runs.size();
   for (const SceneResult& run : sweep.runs) {
     if (run.outcome.status == Status::kStalled) outcome.status = Status::kStalled;
-    for (const std::string& warning : run.outcome.warnings)
-      if (std::find(outcome.warnings.begin(), outcome.warnings.end(), warning) ==
-          outcome.warnings.end())
-        outcome.warnings.push_back(warning);
+    append_new(outcome.warnings, run.outcome.warnings);
   }
   if (stopped) outcome.status = Status::kStopped;
 }
@@ -347,21 +343,11 @@ SceneSweepResult sweep_together(const SceneRequest& request, const Progress& pro
 }  // namespace
 
 std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request, const Progress& progress) {
-  std::optional<SceneSweepResult> sweep;
-  std::exception_ptr failure;
-  {
-    const std::unique_ptr<Communicator> ranks = world_communicator();
+  return result_of_first_rank([&](const Communicator& ranks) {
     Progress told = progress;
-    if (ranks->rank() > 0) told.report = nullptr;
-    try {
-      SceneSweepResult found = sweep_together(request, told, *ranks);
-      if (ranks->rank() == 0) sweep = std::move(found);
-    } catch (const std::exception&) {
-      if (ranks->rank() == 0) failure = std::current_exception();
-    }
-  }  // MPI ends in peace before the first process fails alone
-  if (failure) std::rethrow_exception(failure);
-  return sweep;
+    if (ranks.rank() > 0) told.report = nullptr;
+    return sweep_together(request, told, ranks);
+  });
 }
 
 // Files of runs.
@@ -378,12 +364,6 @@ ResultArray cube(std::size_t a, std::size_t b, std::size_t c, const std::string&
     for (std::size_t j = 0; j < b; ++j)
       for (std::size_t k = 0; k < c; ++k) array.values.push_back(at(i, j, k));
   return array;
-}
-
-std::vector<std::string> names_of_bodies(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (const MechanismBody& body : mechanism.bodies) names.push_back(body.name);
-  return names;
 }
 
 /// Names of the entries of positions or of speeds.
@@ -514,8 +494,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
   }
   std::vector<std::string> names;
   std::vector<double> beyond, slides;
-  for (const PassedLimit& limit :
-       passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond)) {
+  for (const PassedLimit& limit : limits_passed(scene)) {
     names.push_back(limit.joint);
     beyond.push_back(limit.beyond);
     slides.push_back(limit.slides ? 1 : 0);
@@ -564,21 +543,27 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
-  file.add("name/body", names_of_bodies(mechanism));
-  const std::vector<std::string> q = entry_names(mechanism, true);
-  const std::vector<std::string> v = entry_names(mechanism, false);
-  if (!q.empty()) file.add("name/position_entry", q);
-  if (!v.empty()) file.add("name/speed_entry", v);
-  const std::vector<std::string> z = element_state_names(scene.built->scene.elements);
-  if (!z.empty()) file.add("name/element_state_entry", z);
-  std::vector<std::string> muscles;
-  for (const PullMeasure& muscle : scene.measures.pulls.muscles) muscles.push_back(muscle.name);
-  if (!muscles.empty()) file.add("name/muscle", muscles);
+  file.add("name/body", names_of(mechanism.bodies));
+  const auto add_some = [&](const char* key, const std::vector<std::string>& names) {
+    if (!names.empty()) file.add(key, names);
+  };
+  add_some("name/position_entry", entry_names(mechanism, true));
+  add_some("name/speed_entry", entry_names(mechanism, false));
+  add_some("name/element_state_entry", element_state_names(scene.built->scene.elements));
+  add_some("name/muscle", names_of(scene.measures.pulls.muscles));
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
   // The method and paths are needed to build the scene again.
   file.add("method", name_in(kSteppingMethodNames, scene.built->options.method));
   file.add("rungs/path", asked_paths(scene.request.path));
+}
+
+/// Adds the tables of one run. @param group  before their names
+void add_run(const SceneResult& scene, const std::string& group, ResultFile& file) {
+  add_instants(scene, group, file);
+  add_elements(scene, group, file);
+  add_contacts(scene, group, file);
+  add_outcome(scene, group, file);
 }
 
 }  // namespace
@@ -588,10 +573,7 @@ void write_scene_run(const SceneResult& scene, const std::string& path, const Ru
           scene.name);
   ResultFile file;
   add_names(scene, file);
-  add_instants(scene, "", file);
-  add_elements(scene, "", file);
-  add_contacts(scene, "", file);
-  add_outcome(scene, "", file);
+  add_run(scene, "", file);
   add_origin(scene.sources, run, file);
   write_result(file, path);
 }
@@ -602,8 +584,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
   require(!sweep.runs.empty(), "no run was made: nothing to write");
   ResultFile file;
   add_names(sweep.runs.front(), file);
-  std::vector<std::string> varied;
-  for (const SceneVariation& each : sweep.request.vary) varied.push_back(each.name);
+  const std::vector<std::string> varied = names_of(sweep.request.vary);
   file.add("varied", varied);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));
@@ -612,11 +593,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
     const SceneResult& scene = sweep.runs[i];
     for (std::size_t k = 0; k < varied.size(); ++k)
       values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = scene.varied[k].second;
-    const std::string group = fmt::format("runs/{}/", i + 1);
-    add_instants(scene, group, file);
-    add_elements(scene, group, file);
-    add_contacts(scene, group, file);
-    add_outcome(scene, group, file);
+    add_run(scene, fmt::format("runs/{}/", i + 1), file);
   }
   file.add("value", values, "SI", {"run", "number"});
   add_origin(sweep.runs.front().sources, run, file);

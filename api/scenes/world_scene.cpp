@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "api/named/hands.h"
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
 #include "dynamics/mechanism/build_mechanism.h"
@@ -135,17 +135,14 @@ class WorldBuilder {
       }
     // A hand that is left has no carrier in the world.
     const auto left = std::find(added.begin(), added.end(), false);
-    require(left == added.end(), "hand '{}' is mounted on '{}', which is not there",
-            left == added.end() ? ""
-                                : world_.hands[static_cast<std::size_t>(left - added.begin())].name,
-            left == added.end()
-                ? ""
-                : world_.hands[static_cast<std::size_t>(left - added.begin())].carrier);
+    if (left == added.end()) return;
+    const PlacedHand& hand = world_.hands[static_cast<std::size_t>(left - added.begin())];
+    throw InputError(
+        fmt::format("hand '{}' is mounted on '{}', which is not there", hand.name, hand.carrier));
   }
 
   [[nodiscard]] bool is_there(const std::string& hand) const {
-    return std::any_of(spec_.hands.begin(), spec_.hands.end(),
-                       [&](const SceneHandSpec& each) { return each.placed.name == hand; });
+    return any_of(spec_.hands, [&](const SceneHandSpec& each) { return each.placed.name == hand; });
   }
 
   void add_hand(const PlacedHand& placed) {
@@ -196,8 +193,7 @@ class WorldBuilder {
   /// Every coordinate has a drive, or a motor that cannot be driven back would be welded.
   void add_robot_drives(const std::string& hand, const RobotSpec& robot) {
     for (const RobotDof& dof : robot.dofs)
-      if (std::any_of(robot.joints.begin(), robot.joints.end(),
-                      [&](const RobotJoint& joint) { return joint.dof == dof.name; }))
+      if (any_of(robot.joints, [&](const RobotJoint& joint) { return joint.dof == dof.name; }))
         add_drive(hand + "/" + dof.name, !slides(robot, dof));
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof.empty() && joint.kind != RobotJointKind::kFixed)

@@ -5,7 +5,6 @@
 // Finger pads by themselves: pressed by a rigid object, fitted to measured presses, reduced to
 // laws.
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -23,6 +22,7 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "report/pads/fit_answer.h"
 #include "report/pads/laws_answer.h"
@@ -46,8 +46,7 @@ std::string deliver_with_file(Outputs outputs, const Result& found, const std::s
   if (is_written)
     write_file(file, text);
   else
-    outputs.files.erase(std::remove(outputs.files.begin(), outputs.files.end(), file),
-                        outputs.files.end());
+    erase_where(outputs.files, [&](const std::string& each) { return each == file; });
   print_warnings(found.outcome.warnings);
   deliver(outputs, found);
   return file.empty() || is_written ? "" : fmt::format("; '{}' was not written", file);
@@ -150,7 +149,6 @@ void add_pad(CLI::App& app) {
   command->require_subcommand(1);
   add_question_command(*command, {"press",
                                   "press",
-                                  {true, true, true},
                                   {"pad press --force 1 -o pad.html",
                                    "pad press --object sphere --radius 5 --depth 1.5 --angle 30",
                                    "pad press --depth 1 --rate 10 --hold 5 --csv"}});
