@@ -1,8 +1,6 @@
 #include "grasp/robot/infer_hand.h"
 
 #include <algorithm>
-#include <cctype>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
