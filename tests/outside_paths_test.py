@@ -58,7 +58,7 @@ JOINED = {
     "data/io/robot/mjcf_geom.cpp": (1, "a mesh that find_mesh() looks at before it is read"),
     "data/io/robot/mjcf_source.cpp": (1, "outside_fault() and is_in_folder_of() stand around it"),
     "data/io/robot/urdf_export.cpp": (1, "a name made of letters, digits, '.', '-' and '_'"),
-    "data/io/scene/scene.cpp": (2, CHECKED_AT_READING),
+    "data/io/scene/scene.cpp": (1, CHECKED_AT_READING),
     "data/io/world/graspit_world.cpp": (1, "outside_fault() and may_link() stand around it"),
     "data/io/world/world.cpp": (1, CHECKED_AT_READING),
     "data/io/world/world_keys.cpp": (3, "outside_fault() stands above a name of the catalogue; " + CHECKED_AT_READING),
