@@ -77,12 +77,6 @@ template <typename Map>
   return transformed(map, [](const auto& each) { return each.first; });
 }
 
-/// Returns the member `name` of each entry.
-template <typename Entry>
-[[nodiscard]] std::vector<std::string> names_of(const std::vector<Entry>& list) {
-  return transformed(list, [](const Entry& each) { return each.name; });
-}
-
 /// Removes the entries that pass a test.
 template <typename List, typename Test>
 void erase_where(List& list, const Test& test) {
