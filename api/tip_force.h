@@ -33,7 +33,7 @@ struct TipForcePoint {
   Eigen::Vector3d force{0, 0, 0};           // force of the tip on the world, world frame [N] (3)
   Eigen::Vector3d moment{0, 0, 0};          // about the tip, world frame [N m] (3); 0 if pinned
   Eigen::VectorXd residual;                 // torque that no tip load balances [N m] (rows)
-  Eigen::VectorXd change;                   // of |force| by each joint angle [N/rad] (joints)
+  Eigen::VectorXd change;                   // |d force / d angle| of each joint [N/rad] (joints)
   double condition = 0;                     // condition number of the balance [1]
   bool singular = false;                    // pinned tip: some tip force needs no joint torque
   bool minimum_norm =

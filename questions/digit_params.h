@@ -37,6 +37,8 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
           typed ? about : "The same in radians, slides in metres."},
          units::kOne},
         [=](Request& request, const Json& value) {
+          require_field(key.c_str(), (request.*member).empty(), "'{}' is given twice, in two units",
+                        key);
           request.*member = internal::posture_from_json(value, unit);
         },
         [=](const Request& request) { return internal::posture_to_json(request.*member, unit); });
@@ -60,6 +62,7 @@ void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
                 : "The same in radians."},
          units::kOne},
         [=](Request& request, const Json& value) {
+          require_field("vary", (request.*member).empty(), "'vary' is given twice, in two units");
           require_field("vary", (request.*posture).empty() || (request.*posture).unit == unit,
                         "wanted a posture and what varies in one unit");
           (request.*posture).unit = unit;

@@ -51,10 +51,16 @@ std::string change_line(const std::vector<std::string>& joints, const Eigen::Vec
     return std::abs(change[a]) > std::abs(change[b]);
   });
   std::string line = "per degree of joint rotation [" + unit + "/deg]:";
-  const double nothing = order.empty() ? 0 : kNoChange * std::abs(change[order.front()]);
-  for (const Eigen::Index i : order)
-    line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",", nth(joints, i),
-                        std::abs(change[i]) <= nothing ? 0 : change[i] * kDegree);
+  if (change.size() == 0) return line;
+  const double largest = change.array().isFinite().select(change.array().abs(), 0).maxCoeff();
+  for (const Eigen::Index i : order) {
+    // Infinite where the posture is singular; rounding errors are shown as 0.
+    const bool changes = std::abs(change[i]) > kNoChange * largest;
+    line += fmt::format("{} {} {}", i == order.front() ? "" : ",", nth(joints, i),
+                        std::isfinite(change[i])
+                            ? fmt::format("{:.3g}", changes ? change[i] * kDegree : 0)
+                            : "unknown");
+  }
   return line;
 }
 

@@ -28,6 +28,27 @@ TEST(DigitParams, PosturesAreByNameOrInOrder) {
   EXPECT_TRUE(digit_from(R"({"subject": "an_chao_index"})").posture.empty());
 }
 
+// The second unit would replace the first without a word.
+TEST(DigitParams, RefuseOnePostureInTwoUnits) {
+  const auto refusal = [](const std::string& postures) -> std::string {
+    try {
+      (void)digit_from(R"({"subject": "an_chao_index", )" + postures + "}");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  EXPECT_EQ(refusal(R"("posture_deg": {"PIP2": 30}, "posture_rad": {"DIP2": 0.1})"),
+            "'posture' is given twice, in two units");
+  EXPECT_EQ(refusal(R"("posture_rad": [0.1, 0, 0.3], "posture_deg": [1, 2, 3])"),
+            "'posture' is given twice, in two units");
+  EXPECT_EQ(refusal(R"("frozen_deg": {"PIP2": 30}, "frozen_rad": {"PIP2": 0.1})"),
+            "'frozen' is given twice, in two units");
+  const std::string grid = R"([{"joint": "PIP2", "from": 0, "to": 1, "step": 1}])";
+  EXPECT_EQ(refusal("\"vary_deg\": " + grid + ", \"vary_rad\": " + grid),
+            "'vary' is given twice, in two units");
+}
+
 // A request is written in the unit in which it came, and read again as it was.
 TEST(DigitParams, WritesThePostureInItsOwnUnit) {
   const std::string text =

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "base/units.h"
@@ -26,6 +28,15 @@ DigitRequest middle_finger() {
 TEST(DigitWords, ShowNoRoundingAsAChange) {
   EXPECT_EQ(change_line({"a", "b"}, Eigen::Vector2d(1e-14, 2) / kDegree),
             "per degree of joint rotation [N/deg]: b 2, a 0");
+}
+
+// A singular posture has no derivative, which is not the same as none.
+TEST(DigitWords, SayThatAChangeIsUnknown) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(change_line({"a", "b"}, Eigen::Vector2d(infinite, 2 / kDegree), "N"),
+            "per degree of joint rotation [N/deg]: a unknown, b 2");
+  EXPECT_EQ(change_line({"a", "b"}, Eigen::Vector2d::Constant(infinite), "N"),
+            "per degree of joint rotation [N/deg]: a unknown, b unknown");
 }
 
 TEST(DigitWords, GiveAListOfPostures) {
