@@ -30,13 +30,9 @@ TEST(DigitParams, PosturesAreByNameOrInOrder) {
 
 // The second unit would replace the first without a word.
 TEST(DigitParams, RefuseOnePostureInTwoUnits) {
-  const auto refusal = [](const std::string& postures) -> std::string {
-    try {
-      (void)digit_from(R"({"subject": "an_chao_index", )" + postures + "}");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "taken";
+  const auto refusal = [](const std::string& postures) {
+    return message_of(
+        [&] { (void)digit_from(R"({"subject": "an_chao_index", )" + postures + "}"); });
   };
   EXPECT_EQ(refusal(R"("posture_deg": {"PIP2": 30}, "posture_rad": {"DIP2": 0.1})"),
             "'posture' is given twice, in two units");

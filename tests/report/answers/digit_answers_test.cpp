@@ -1,7 +1,6 @@
 // Tests for report/answers/{digit_words,tip_force,moment_arms,feasible_force,pose}.cpp.
 
 #include <algorithm>
-
 #include <limits>
 
 #include <gtest/gtest.h>
