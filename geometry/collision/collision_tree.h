@@ -19,10 +19,10 @@ struct Ball {
 
 /// A triangle swept by a ball; it may be a segment or a point.
 struct SweptTriangle {
-  Eigen::Matrix3d corners;     // radius of the ball that sweeps it [m]
-  double radius = 0;           // of the ball that sweeps it [m]
-  Eigen::Vector3d n{0, 0, 0};  // unit, outward; 0 for a segment or a point (3)
-  int source = -1;             // number of the triangle in the order of Solid::collision
+  Eigen::Matrix3d corners;     // corners, one per column [m] (3, 3)
+  double radius = 0;           // radius of the ball that sweeps it [m]
+  Eigen::Vector3d n{0, 0, 0};  // outward unit normal; 0 for a segment or a point (3)
+  int source = -1;             // index of the triangle in the order of Solid::collision
 };
 
 /// Node of the tree: two children, or one triangle.

@@ -64,7 +64,6 @@ struct ForceSet {
 /// Load: what it presses on passive contacts is a normal force p >= 0 without friction, which loads
 /// no non-backdrivable coordinate. Friction caused by a load, and wedging, are neglected, because
 /// they depend on elasticity; the set is conservative.
-/// they depend on elasticity; the set is on the safe side.
 /// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
 ///           (coordinates, length of x) [m]
 /// @param preload_slack  fraction by which structure may push back more than actuators press [1];

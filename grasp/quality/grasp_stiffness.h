@@ -34,8 +34,6 @@ struct GraspStiffness {
 /// existing forces, linear in the grasp force and in curvatures, which may soften a grasp.
 /// @param pads    stiffness of the pad of each contact
 /// @param joints  nothing: rigid fingers
-/// @param pads    one for each contact
-/// @param joints  nothing: rigid fingers
 /// @throws InputError if shapes disagree, a stiffness is negative or NaN, a joint stiffness is
 ///         zero, or a rigid pad has no compliant joints behind it.
 /// Source: [Cutkosky1989].

@@ -24,7 +24,6 @@ namespace thenar::internal {
 /// @param max_choices  maximum number of combinations
 /// @return nothing if a contact spans more dimensions, there are too many combinations, facets
 /// remain uncertain, or `progress` stops the computation
-/// remain uncertain, or the computation was stopped.
 /// Source: [Schneider2014] (4.1, 5.1.2) for volumes by facets and faces of sums.
 [[nodiscard]] std::optional<double> minkowski_volume(const WrenchSet& set, double max_choices,
                                                      const Progress& progress = {});

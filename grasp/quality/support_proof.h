@@ -29,8 +29,7 @@ struct SupportProof {
 /// rounding errors. If it finds none, descend_support() starts from the directions that F leaves
 /// unproven. Unless it ends below r, the sphere is cut in two across the direction in which the
 /// unproven u are farthest apart; products of  +-(w'u - b t) >= 0  with all others help in each
-/// half. A family of nearest directions, as any symmetric pinch has, costs no more than a single
-/// one. A family of nearest directions, as for any symmetric pinch, costs no more than a single
+/// half. A family of nearest directions, as for any symmetric pinch, costs no more than a single
 /// one.
 /// @param r  level below the minimum of h(u) by a margin, as there is no proof at the minimum [1]
 /// @param max_parts  maximum number of parts of the sphere
