@@ -234,7 +234,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
 }
 
 FitResult fit_digit(const FitRequest& request, const Progress& progress) {
-  // Fit, and write the result at once: cross-validation takes longer.
+  // Check the path before the work starts.
   if (!request.output.empty()) require_result_path(request.output);
   // Pass on the settings of the optimiser; the rest of the request concerns the inputs.
   SolveOptions options;
@@ -262,6 +262,7 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   outcome.warn(net_warnings(fit));
   outcome.warn(stray_warnings(fit.covariance));
   outcome.warn(path_cautions(fit.inputs));
+  // Write the fit at once, because cross-validation takes longer.
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
   // Predict in sample, then by fits without the predicted trials.

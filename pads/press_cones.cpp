@@ -17,8 +17,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Largest residual over that of the last iteration for which the tangent is reused [1]
-constexpr double kTangentFallRatio = 0.3;
 // Stiffness of a drive's spring over that of the tissue under a node [1]
 constexpr double kDriveSpringRatio = 1e-2;
 // Length of a motion over that of the last one above which motions creep [1]
@@ -113,7 +111,7 @@ PressOutcome press_by_cones(PressIterate& iterate) {
     const double residual = std::max(out.residual, iterate.max_force_change);
     const bool converges =
         out.iterations == 0 ||
-        residual < kTangentFallRatio * std::min(residual_before, iterate.total_force);
+        residual < kTangentReuseRatio * std::min(residual_before, iterate.total_force);
     if (!(has_factor && converges) && !renew_tangent(iterate, u))
       return failed_by(out, "the stiffness is not positive definite");
     residual_before = residual;

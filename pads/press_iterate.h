@@ -25,6 +25,11 @@ struct NodeContact {
   double friction_scale = 1;  // friction force over the trial force of a sticking node [1]
 };
 
+/// Largest residual over that of the last iteration for which the tangent is reused [1].
+inline constexpr double kTangentReuseRatio = 0.3;
+
+/// Iterate of a press: the state of the pad and its contacts, with the linear systems of a step.
+/// The solvers of a press change it in turn.
 struct PressIterate : PressProblem {
   PressIterate(const PressProblem& problem, PressFactors& factors);
 

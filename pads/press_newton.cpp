@@ -12,8 +12,6 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-// Largest residual over that of the last iteration for which the tangent is reused [1]
-constexpr double kTangentReuseRatio = 0.3;
 // Largest residual over the contact forces for which the tangent is reused [1]
 constexpr double kTangentReuseShare = 0.2;
 

@@ -11,13 +11,13 @@
 
 namespace thenar::internal {
 
-/// Convex part of a triangle, with the barycentric coordinates of its corners.
+/// Convex part of a triangle.
 struct TrianglePart {
-  std::array<Eigen::Vector3d, 16> corners;  // 3, and at most one for each of 8 planes [1]
-  std::size_t size = 0;
-  void add(const Eigen::Vector3d& p) {
-    if (size < corners.size()) corners[size++] = p;
-  }
+  std::array<Eigen::Vector3d, 16> corners;  // barycentric coordinates of the corners [1]: 3, and at
+                                            // most one more for each of 8 planes
+  std::size_t size = 0;                     // number of corners
+  /// Appends a corner. @throws std::out_of_range if there are 16
+  void add(const Eigen::Vector3d& p) { corners.at(size++) = p; }
 };
 
 [[nodiscard]] TrianglePart whole_triangle();

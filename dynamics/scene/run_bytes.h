@@ -14,9 +14,9 @@ namespace thenar {
 /// count (8 bytes):
 ///
 ///   status
-///   samples:   t, q, v, z, contacts, kinetic energy, weight, springs, energy of elements
-///     contacts:  a, b, id, point, normal, force, torsion, gap, mode
-///   cost:      counts, then the largest residual, depth, time at rest, processor time
+///   samples:   t, q, v, z, energy flows, contacts, energies
+///     contacts:  members of ContactSample, in the order of pass_contact()
+///   cost:      members of SceneCost, in the order of pass_cost()
 ///   message:   letters
 ///
 /// The format has no version and no fixed byte order: it is meant for processes of one sweep on one

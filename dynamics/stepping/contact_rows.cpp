@@ -46,12 +46,12 @@ void ContactRows::assemble(const std::vector<ActiveContact>& list, double h,
     problem.blocks.push_back(make_block(contact, h));
     rows += rows_of(problem.blocks.back().law);
   }
-  J.setZero(model_.layout.v, rows);
+  Jt.setZero(model_.layout.v, rows);
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
     fill_jacobian(contact, block.law, at, links);
   });
-  // Compute W = Y' Y with Y = D^-1/2 L'^-1 J, from the factor A = L' D L.
-  Y_ = J;
+  // Compute W = Y' Y with Y = D^-1/2 L'^-1 J', from the factor A = L' D L.
+  Y_ = Jt;
   for (int i = 0; i < rows; ++i) mass.half_solve(model_, Y_.col(i));
   problem.W.resize(rows, rows);
   problem.W.noalias() = Y_.transpose() * Y_;
@@ -77,13 +77,13 @@ void ContactRows::fill_jacobian(const ActiveContact& contact, ConstraintLaw law,
     const int joint = contact.a;
     const double sign = contact.kind == RowKind::kUpperLimit ? -1 : 1;
     const double slope = links.links()[model_.bodies[joint].link].slope;
-    J(model_.layout.first_v[joint], at) = sign * slope;
+    Jt(model_.layout.first_v[joint], at) = sign * slope;
     return;
   }
   // Contact: velocity of a relative to b along normal and tangents, and about the normal.
   const int a = links.link_of(contact.a), b = links.link_of(contact.b);
   const auto add = [&](int column, const Eigen::Vector3d& along, const Eigen::Vector3d& about) {
-    links.add_relative_jacobian_row(a, b, contact.point, along, about, J.col(column));
+    links.add_relative_jacobian_row(a, b, contact.point, along, about, Jt.col(column));
   };
   const Eigen::Vector3d none(0, 0, 0);
   add(at, contact.normal, none);
@@ -127,13 +127,13 @@ void ContactRows::add_contact_terms(const Eigen::VectorXd& v, double h, double r
   // Tangents and spin: a contact that stuck obeys its law in the mean, too.
   if (contact.kind == RowKind::kContact && contact.mode == ContactMode::kStick && rows > 1) {
     const Tangents sides = tangents(contact.normal);
-    now.drift = J.col(at + 1).dot(v) * sides.e1 + J.col(at + 2).dot(v) * sides.e2;
+    now.drift = Jt.col(at + 1).dot(v) * sides.e1 + Jt.col(at + 2).dot(v) * sides.e2;
     Eigen::Vector3d drift;
     for (int i = 0; i < 3; ++i) drift[i] = damped_mean(now.drift[i], contact.previous.drift[i]);
     problem.b[at + 1] += sides.e1.dot(drift);
     problem.b[at + 2] += sides.e2.dot(drift);
     if (rows > 3) {
-      now.spin = J.col(at + 3).dot(v);
+      now.spin = Jt.col(at + 3).dot(v);
       problem.b[at + 3] += damped_mean(now.spin, contact.previous.spin);
     }
   }

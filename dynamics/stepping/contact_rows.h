@@ -20,7 +20,7 @@ class ContactRows {
   /// @param scene, model  must outlive the object
   ContactRows(const MovingScene& scene, const TreeModel& model) : scene_(scene), model_(model) {}
 
-  /// Assembles the blocks, J and W = J' A^-1 J of a list of contacts.
+  /// Assembles the blocks, the Jacobian J and W = J A^-1 J' of a list of contacts.
   /// @param h     step length, which bounds the impulse of dry friction [s]
   /// @param mass  factorised A
   void assemble(const std::vector<ActiveContact>& list, double h, const TreeMotion<double>& links,
@@ -45,7 +45,7 @@ class ContactRows {
   void store_solution(const ContactSolution& answer, std::vector<ActiveContact>& list) const;
 
   ContactProblem problem;
-  Eigen::MatrixXd J;  // transposed Jacobian: column i maps row i to the velocities (v, rows)
+  Eigen::MatrixXd Jt;  // transposed Jacobian J' (v, rows)
 
  private:
   /// Calls a function with each contact, its block and the index of its first row.
@@ -65,7 +65,7 @@ class ContactRows {
 
   const MovingScene& scene_;
   const TreeModel& model_;
-  Eigen::MatrixXd Y_;           // D^-1/2 L'^-1 J, so that W = Y' Y (v, rows)
+  Eigen::MatrixXd Y_;           // D^-1/2 L'^-1 J', so that W = Y' Y (v, rows)
   Eigen::VectorXd warm_start_;  // initial guess of the impulses (rows)
 };
 

@@ -106,7 +106,7 @@ struct ContactStep::Parts {
   /// Assembles the contact problem, with b the velocities without impulses.
   void assemble_rows(const std::vector<ActiveContact>& list, double h) {
     rows.assemble(list, h, motion.links(), free.mass);
-    rows.problem.b.noalias() = rows.J.transpose() * free.v;
+    rows.problem.b.noalias() = rows.Jt.transpose() * free.v;
   }
 
   /// Solves the contact problem, applies the impulses, books their losses, and stores impulses,
@@ -136,10 +136,10 @@ struct ContactStep::Parts {
     outcome.solved = outcome.solved && converged;
     outcome.residual = answer.residual.natural;
     // Apply impulses, book the energy that they dissipate, and store the solution.
-    pushed.noalias() = rows.J * answer.f;
+    pushed.noalias() = rows.Jt * answer.f;
     free.apply_impulses(pushed);
     v_mean = 0.5 * (state.v + free.v);
-    mean_u.noalias() = rows.J.transpose() * v_mean;
+    mean_u.noalias() = rows.Jt.transpose() * v_mean;
     add_impulse_losses(list, problem.blocks, answer.f, mean_u, booking, state.w);
     state.v = free.v;
     rows.store_solution(answer, list);
@@ -156,7 +156,7 @@ struct ContactStep::Parts {
   ContactSolver solver;
   ContactSolverOptions solver_options;
   // Workspace of a step.
-  Eigen::VectorXd v_mean, pushed;      // mean velocity; generalized impulses J P (v), (v)
+  Eigen::VectorXd v_mean, pushed;      // mean velocity; generalized impulses J' P (v), (v)
   Eigen::VectorXd mean_u;              // mean of the velocities before and after impulses (rows)
   Eigen::VectorXd z_before, v_before;  // element states and velocities at the start (z), (v)
   std::vector<ActiveContact> found;
@@ -399,7 +399,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
       pressed.push_back(contact);
     }
     if (max_gap < kGapLimit) break;
-    // Assemble J and W = J' M^-1 J, and the corrections of the gaps.
+    // Assemble J and W = J M^-1 J', and the corrections of the gaps.
     p.free.mass.compute(p.motion.links());
     p.rows.assemble(pressed, 0, p.motion.links(), p.free.mass);
     Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressed.size()));
@@ -407,7 +407,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
       gaps[k] = std::clamp(-pressed[k].gap, -max_correction, max_correction);
     // Solve for the least motion in the metric of M; contacts may be redundant.
     Eigen::VectorXd move =
-        p.rows.J * p.rows.problem.W.completeOrthogonalDecomposition().solve(gaps);
+        p.rows.Jt * p.rows.problem.W.completeOrthogonalDecomposition().solve(gaps);
     p.free.mass.solve(p.model, move);
     advance_positions(p.scene.mechanism, p.model.layout, move, 1, state.q);
     if (max_gap > max_correction) break;  // correct the rest in later steps

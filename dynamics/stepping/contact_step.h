@@ -8,7 +8,7 @@
 ///   3. SceneContacts finds contacts, joint limits and dry frictions there, with gaps.
 ///   4. AppliedEfforts evaluates springs, dampers, drives, loads and force elements, with slopes.
 ///   5. FreeVelocity computes the velocity without contact impulses, and factorises A = M + slopes.
-///   6. ContactRows assembles the contact problem: Jacobian J, W = J' A^-1 J and b = J' v.
+///   6. ContactRows assembles the contact problem: Jacobian J, W = J A^-1 J' and b = J v.
 ///   7. ContactSolver solves it for the contact impulses.
 ///   8. FreeVelocity adds the velocity change of the impulses; ContactRows stores impulses,
 ///      velocities and modes in the contacts.

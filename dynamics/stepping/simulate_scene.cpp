@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/progress_parts.h"
@@ -86,9 +87,14 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
 void check_scene_options(const SceneOptions& options) {
   require(options.seconds > 0 && std::isfinite(options.seconds), "wanted seconds above 0, got {}",
           options.seconds);
-  require(options.sample > 0 && options.step > 0 && options.longest > 0 && options.tolerance > 0 &&
-              options.shortest > 0 && options.touch > 0 && options.recovery >= 0,
-          "wanted steps, samples, tolerances and lengths above 0");
+  for (const auto& [name, value] : {std::pair{"sample", options.sample},
+                                    {"step", options.step},
+                                    {"longest step", options.longest},
+                                    {"shortest step", options.shortest},
+                                    {"tolerance", options.tolerance},
+                                    {"touch", options.touch}})
+    require(value > 0, "wanted a {} above 0, got {}", name, value);
+  require(options.recovery >= 0, "wanted a recovery of 0 or more, got {}", options.recovery);
   require(options.columns >= 2 && options.columns <= Extrapolation::kMaxColumns,
           "wanted 2 to {} columns, got {}", Extrapolation::kMaxColumns, options.columns);
 }

@@ -27,7 +27,7 @@ class RowsOf {
     contacts_.find_contacts(motion_, state, 1e-6, list);
     (void)free_.compute(motion_, efforts_, state, 0, 0);
     rows.assemble(list, 1e-3, motion_.links(), free_.mass);
-    rows.problem.b = rows.J.transpose() * scene_.v;
+    rows.problem.b = rows.Jt.transpose() * scene_.v;
   }
 
  private:
@@ -61,7 +61,7 @@ TEST(ContactRows, OfALimitAndDryFrictionAreThoseOfTheJoint) {
   ASSERT_EQ(at.list.size(), 2U);
   EXPECT_EQ(at.list[0].kind, ActiveContact::Kind::kLowerLimit);
   EXPECT_EQ(at.list[1].kind, ActiveContact::Kind::kJointFriction);
-  EXPECT_NEAR(at.rows.J(0, 0), 1, 1e-15);
+  EXPECT_NEAR(at.rows.Jt(0, 0), 1, 1e-15);
   EXPECT_NEAR((at.rows.problem.W.array() - 1 / 0.02).abs().maxCoeff(), 0, 1e-10);
   EXPECT_NEAR(at.rows.problem.b[0], -0.5, 1e-15);
 }
@@ -76,7 +76,7 @@ MovingScene standing_cube() {
 TEST(ContactRows, OfACubeBearTwoPlanesAndANormal) {
   const RowsOf at(standing_cube());
   ASSERT_EQ(at.list.size(), 4U);
-  ASSERT_EQ(at.rows.J.cols(), 12);
+  ASSERT_EQ(at.rows.Jt.cols(), 12);
   const Eigen::MatrixXd& W = at.rows.problem.W;
   EXPECT_LT((W - W.transpose()).norm(), 1e-12 * W.norm());
   // Equal normal impulses on all corners lift the cube alone: u = 4 f / m.
