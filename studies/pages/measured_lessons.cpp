@@ -232,7 +232,7 @@ std::string measurements_words(const MeasuredLessons& of) {
   return fmt::format(
              "Two kinds of numbers are published. [Towles2004], of seven cadavers: in key pinch "
              "{}. No sd was published; {:.1f} N of each component are ASSUMED: FPL's direction in "
-             "eleven other thumbs was 66 (46) degrees [Towles2008], the bracket taken for the sd "
+             "eleven other thumbs was 66 (46) degrees [Towles2008], the bracket treated as the sd "
              "between thumbs, and 46 degrees over the root of seven are 17, which across the force "
              "are 0.51 N. Neither the hold of the tip nor the angles were reported: pinned, in the "
              "key pinch of the made-up data.\n\n",
