@@ -184,8 +184,9 @@ std::string absent(const std::string& path) {
 }
 
 std::string with_article(const std::string& kind) {
-  const bool none = kind == "materials" || kind == "contacts" || kind == "fit settings" ||
-                    kind == "proportions" || kind == "presses of a pad" || kind == "laws of a pad";
+  if (kind == "contacts") return "a contact set";
+  const bool none = kind == "materials" || kind == "fit settings" || kind == "proportions" ||
+                    kind == "presses of a pad" || kind == "laws of a pad";
   const bool vowel = std::string("aeiou").find(kind.front()) != std::string::npos;
   return (none ? "" : vowel ? "an " : "a ") + kind;
 }
@@ -238,7 +239,7 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
       transformed(kinds, [](const std::string& kind) { return with_article(kind); });
   std::string ways;
   if (!found.commands.empty())
-    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",
+    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "try" : "commands that take it",
                        fmt::join(found.commands, ", "));
   const bool part = found.kind == "robot" || found.kind == "object" || found.kind == "mesh";
   if (part && !hint.empty()) ways += "; " + hint;

@@ -217,7 +217,7 @@ void check_tree(const RobotSpec& robot) {
     require(joint.child != base, "the first link, '{}', is the base, and joint '{}' moves it", base,
             joint.name);
     require(reached.count(joint.parent) == 1,
-            "joint '{}' stands before the joint that carries its parent '{}'", joint.name,
+            "joint '{}' appears before the joint that carries its parent '{}'", joint.name,
             joint.parent);
     reached.insert(joint.child);
   }
