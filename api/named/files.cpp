@@ -211,7 +211,7 @@ void require_result_path(const std::string& path) {
   };
   std::error_code none;
   require(!fs::exists(path, none) || is_result(),
-          "'{}' exists and is no result file of thenar; it is not overwritten", path);
+          "'{}' exists and is not a result file of thenar; it is not overwritten", path);
   require_writable(path);
 }
 

@@ -155,9 +155,9 @@ void add_file_rows(MethodTable& table) {
              false, false}}),
        "file: that was written", R"({"file": "my_world.toml"})", save, MethodWrites::kFiles});
   table.add({"world.get", "Everything in the world, and where it is.", object_schema({}),
-             "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints "
-             "[rad or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or "
-             "null; what is mounted stands on its carrier's link",
+             "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints [rad "
+             "or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or null; "
+             "poses of mounted hands are relative to the carrier's link",
              "{}", get});
 }
 

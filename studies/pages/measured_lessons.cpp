@@ -339,8 +339,8 @@ std::string beside_words(const MeasuredLessons& of) {
     const KeptShares kept = kept_shares(posterior, both);
     words = fmt::format(
         "Beside the made-up data they leave {:.0f} to {:.0f} % of what those had left ({:.0f} % in "
-        "the rms{}); a ratio above 1 is no error, as numbers that disagree with a posterior may "
-        "widen it.",
+        "the rms{}); a ratio above 1 is not an error, as numbers that disagree with a posterior "
+        "may widen it.",
         100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both));
   } else {
     words = fmt::format("What they teach beside the made-up data is not told: {}.", both.message);

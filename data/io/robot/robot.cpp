@@ -250,7 +250,8 @@ void check_drives(const RobotSpec& robot) {
       if (dof.name == joint.dof && !joint.curve.empty()) check_curve(joint, dof);
   for (const RobotJoint& joint : robot.joints)
     require(joint.dof.empty() || find_named(robot.dofs, joint.dof) != nullptr,
-            "joint '{}' is driven by '{}', which is no degree of freedom", joint.name, joint.dof);
+            "joint '{}' is driven by '{}', which is not a degree of freedom", joint.name,
+            joint.dof);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(CheckRobot, NamesUnknownLinksAndMotors) {
   EXPECT_EQ(complaint([](RobotSpec& r) { r.joints[2].child = "claw"; }),
             "joint 'J3' names link 'claw', which there is not");
   EXPECT_EQ(complaint([](RobotSpec& r) { r.joints[2].dof = "grip"; }),
-            "joint 'J3' is driven by 'grip', which is no degree of freedom");
+            "joint 'J3' is driven by 'grip', which is not a degree of freedom");
 }
 
 TEST(CheckRobot, NamesLinksWithTwoParentsOrNone) {
