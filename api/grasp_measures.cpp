@@ -89,7 +89,7 @@ std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";
   if (reach.status != Status::kSolved || reach.value * load.norm() < kNegligibleLoad)
     return cannot + explain_zero_margin(asked.held, {load});
-  return cannot + fmt::format("it bears {:.3g} N of it", reach.value * load.norm());
+  return cannot + fmt::format("it carries {:.3g} N of it", reach.value * load.norm());
 }
 
 void add_holds(const Asked& asked, GraspMeasures& measures) {
@@ -100,8 +100,9 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
   }
   const ScaledWrench load = weight_load(asked.result.setting.setup.object, *measures.weight.value);
   // Solve first for unlimited contact forces: if friction itself is too low, motors cannot help.
-  measures.hold = hold_of(free_forces(asked.held.set), load,
-                          "no forces within friction hold the weight as the object stands");
+  measures.hold =
+      hold_of(free_forces(asked.held.set), load,
+              "no forces within friction hold the weight in the present orientation of the object");
   if (!measures.hold.value) {
     measures.hold_actuated = none<double>(measures.hold.message);
     return;

@@ -287,7 +287,7 @@ Imported import_any(const ImportRequest& request) {
   if (is_mesh_file(path)) return import_mesh(request);
   require_field(request.units.empty() ? "scale" : "units",
                 request.scale == 1 && request.units.empty(),
-                "scales and units are for meshes, '{}' is none", path);
+                "scales and units are for meshes, '{}' is not a mesh", path);
   // Tell XML from the rest by the first sign of the text, behind a byte order mark and blanks.
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");

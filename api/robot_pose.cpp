@@ -105,11 +105,10 @@ class RobotPosture {
 
   void move(const RobotDof& dof, double value) {
     const auto [at, is_new] = dofs_.emplace(dof.name, value);
-    require(
-        is_new || std::abs(at->second - value) < kSameValue,
-        "'{}' cannot stand at {:.6g} and at {:.6g} (rad or m) at once: joints of one motor move "
-        "together",
-        dof.name, at->second, value);
+    require(is_new || std::abs(at->second - value) < kSameValue,
+            "'{}' cannot be at {:.6g} and at {:.6g} (rad or m) at once: joints of one motor move "
+            "together",
+            dof.name, at->second, value);
   }
 
   const RobotSpec& robot_;

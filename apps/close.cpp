@@ -19,8 +19,8 @@
 namespace thenar {
 void add_close(CLI::App& app) {
   auto options = std::make_shared<TypedQuestion>();
-  CLI::App* command =
-      app.add_subcommand("close", "Close the hand of a world where it stands; say what stopped it");
+  CLI::App* command = app.add_subcommand(
+      "close", "Close the hand of a world in place; report what stopped each joint");
   add_request_options(*command, world_params().params(), options->request);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command, {"close arm_cube", "close arm_cube --csv"});

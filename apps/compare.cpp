@@ -27,7 +27,7 @@ std::string kept_words(const CompareResult& result) {
   const CompareRequest& request = result.request;
   if (request.file.empty()) return "without -o FILE.json nothing is kept";
   if (result.hands.size() < request.hands.size()) return "nothing new was compared";
-  return fmt::format("{} of {} pairs are kept in '{}', the same command goes on",
+  return fmt::format("{} of {} pairs are kept in '{}'; the same command continues",
                      result.outcome.done, result.outcome.asked, request.file);
 }
 
@@ -63,9 +63,9 @@ void add_compare(CLI::App& app) {
     command->get_option(list)->delimiter(',');
   add_output_options(*command, options->outputs, {true, true, true, {}});
   command->footer(
-      "-o FILE.json is written after every pair of a hand and an object; the same command goes on "
-      "with it\nafter Ctrl-C. The comparison with all defaults, 12 hands on 8 objects, takes some "
-      "minutes.");
+      "-o FILE.json is written after every pair of a hand and an object; the same command "
+      "continues it\nafter Ctrl-C. The comparison with all defaults, 12 hands on 8 objects, takes "
+      "some minutes.");
   add_examples(
       *command,
       {"compare --hands barrett,parallel_jaw --objects sphere_70,cube_50 --approaches 5",

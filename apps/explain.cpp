@@ -25,11 +25,10 @@ void add_explain(CLI::App& app) {
       ->required();
   // These narrow the explanation of a subject, and are refused for anything else.
   command->add_option("--digit", options->request.digit,
-                      "Digit of a subject to explain; the only one if left out");
+                      "Digit of a subject to explain; default: the only one");
   add_path_option(*command, options->request.path);
-  command->add_option(
-      "--settings", options->request.settings,
-      "Fit settings for a subject: name or file (built in for the digit if left out)");
+  command->add_option("--settings", options->request.settings,
+                      "Fit settings for a subject: name or file; default: built in for the digit");
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {});
   add_examples(*command, {"explain synek2019_middle", "explain mirakhorlo2016 --digit index",

@@ -80,10 +80,10 @@ void require_complete(const PosteriorResult& result) {
   const std::string& folder = run.settings.run.folder;
   if (run.draws.draws() == 0)
     throw Stopped(fmt::format(
-        "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
+        "stopped before the first draw; '{}' holds the state: the same command continues", folder));
   if (result.outcome.stopped())
     throw Stopped(fmt::format(
-        "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on",
+        "stopped; '{}' holds the {} draws so far, '{}' the state: the same command continues",
         result.request.output, result.outcome.done, folder));
 }
 

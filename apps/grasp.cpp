@@ -42,8 +42,8 @@ void run_grasp(const GraspArguments& options) {
 
 void add_grasp(CLI::App& app) {
   auto options = std::make_shared<GraspArguments>();
-  CLI::App* command =
-      app.add_subcommand("grasp", "Put the hand of a world on its object and measure the grasp");
+  CLI::App* command = app.add_subcommand(
+      "grasp", "Approach and grasp the object of a world; compute grasp quality");
   add_request_options(*command, grasp_params().params(), options->request);
   add_output_options(*command, options->outputs, {true, true, true});
   command->add_option("--save", options->save, "Also write the world with the hand as it ended");

@@ -85,8 +85,7 @@ void add_mass_options(CLI::App& command, ImportRequest& request) {
   add_materials_option(command, request.materials);
   command.add_option("--material", request.material,
                      "Material of an object or a mesh, for friction; `thenar list materials` has "
-                     "the names. Its density, if it has one, stands where --mass and --density do "
-                     "not");
+                     "the names. Its density, if it has one, is used without --mass and --density");
 }
 
 }  // namespace
@@ -112,8 +111,7 @@ void add_import(CLI::App& app) {
           },
           "Metres per unit of a mesh file")
       ->default_str("1");
-  command->add_option("--units", request.units,
-                      "Unit of a mesh file: m, cm, mm or in; m if left out");
+  command->add_option("--units", request.units, "Unit of a mesh file: m, cm, mm or in; default: m");
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");

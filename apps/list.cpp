@@ -19,7 +19,7 @@ void add_list(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("list", "Names that commands take: subjects, worlds, hands, objects ..");
   command->add_option("what", options->request.what,
-                      "All if left out; else one of " + listed(catalogue_words()));
+                      "Kind of names (default: all): " + listed(catalogue_words()));
   command->add_option("of", options->request.of,
                       "Subject (name or file) whose joints, muscles or digits are listed; joints "
                       "also of a robot");

@@ -98,7 +98,8 @@ int complain_of_line(const CLI::App& app, const CLI::ParseError& error) {
 
 int run_command(int argc, char** argv) {
   use_cache(cache_options_of_user());
-  CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
+  CLI::App app("thenar: models of human and robot hands: fits, tendons, grasps, contact, pads",
+               "thenar");
   app.option_defaults()->always_capture_default();
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);

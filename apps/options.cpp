@@ -12,9 +12,9 @@
 namespace thenar {
 
 void add_data_option(CLI::App& command, std::string& data) {
-  command.add_option(
-      "--data", data,
-      "Folder with robots/, objects/.., before THENAR_DATA, ./data and what came with the program");
+  command.add_option("--data", data,
+                     "Data folder (with robots/, objects/, ...), searched before THENAR_DATA, "
+                     "./data and the data installed with thenar");
 }
 
 void add_materials_option(CLI::App& command, std::string& file) {

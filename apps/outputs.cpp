@@ -87,9 +87,10 @@ void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& 
   };
   const std::vector<std::string> endings = endings_of(kinds);
   if (!endings.empty())
-    add_file_option("-o,--out,--output",
-                    fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")),
-                    endings);
+    add_file_option(
+        "-o,--out,--output",
+        fmt::format("Output file; the extension selects the format: {}", fmt::join(endings, ", ")),
+        endings);
   if (kinds.page) add_file_option("--report", "Page to write (.html)", {".html"});
 }
 

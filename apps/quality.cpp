@@ -126,13 +126,13 @@ const char* const kFormat =
     "Lengths in metres. Normals point into the object. torque_scale has no default: torques are\n"
     "divided by it; the largest distance of the surface from the centre of mass is customary.\n"
     "torsion, of soft fingers, is a torque about the normal per normal force [m]. wrenches\n"
-    "stand in place of the cone, torques already divided; --edges leaves them as they are.\n"
+    "replace the cone; their torques must already be divided, and --edges does not change them.\n"
     "Points with one \"patch\": n are one face, with one limit under linf. \"task\": {\"loads\":\n"
     "[[fx, fy, fz, tx, ty, tz], ..]} [N, N m], a box of two or an ellipsoid of semi-axes, asks "
     "for\n"
-    "the least squeeze that withstands them. A centre_of_mass of two numbers makes all planar.\n"
-    "'-' reads a file a line from standard input and answers with lines of JSON.\n"
-    "With --json, and in -o x.jsonl, answers are lines, one a file. docs/data_format.md says all.";
+    "the least squeeze that resists them. With a two-component centre_of_mass the problem is\n"
+    "planar. '-' reads one contact set per line from standard input and prints one JSON line per\n"
+    "contact set, as do --json and -o x.jsonl. See docs/data_format.md.";
 
 }  // namespace
 

@@ -136,17 +136,16 @@ void add_simulate(CLI::App& app) {
   command->get_option("subject")->description(
       "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
   // A scene has defaults of its own, in its file.
-  command->get_option("--seconds")
-      ->description("Duration [s]; of a scene as its file says if left out");
+  command->get_option("--seconds")->description("Duration [s]; default for a scene: from its file");
   command->get_option("--sample-ms")
-      ->description("Time between the instants kept [ms]; of a scene as its file says if left out");
+      ->description("Time between the instants kept [ms]; default for a scene: from its file");
   command->get_option("--tolerance")
       ->description(
-          "Error of one step: of a subject relative, of a scene in m and rad and as its file says "
-          "if left out");
+          "Error tolerance per step: relative for a subject; in m and rad for a scene (default: "
+          "from its file)");
   command->add_option("--pads", options->pads,
-                      "Rung of all pads of a scene: " + listed(pad_rung_names()) +
-                          "; as the scene says if left out. Several: a run on each, compared");
+                      "Level of detail of all pads of a scene: " + listed(pad_rung_names()) +
+                          "; default: from the scene. Several: one run for each, compared");
   add_output_options(*command, options->outputs, {true, true, true, {".h5"}});
   add_examples(*command,
                {"simulate an_chao_index --excitation FDP=0.1 EDC=0.05 --seconds 0.5",

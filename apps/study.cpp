@@ -63,7 +63,7 @@ void add_study(CLI::App& app) {
   CLI::App* study = app.add_subcommand("study", "Simulated experiments with known ground truth");
   study->require_subcommand(1);
   CLI::App* thumb = study->add_subcommand(
-      "thumb", "Do forces tell skewed thumb axes from orthogonal ones, and which of them?");
+      "thumb", "Can forces distinguish skewed from orthogonal thumb axes, and which forces can?");
   ThumbStudyRequest& request = options->request;
   add_data_option(*thumb, request.data);
   // Length of the chains, and simulations that calibrate them.
@@ -73,7 +73,7 @@ void add_study(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   thumb
       ->add_option("--simulations", request.simulations,
-                   "Calibrate by so many simulated thumbs (0: do not)")
+                   "Number of simulated thumbs for calibration (0: none)")
       ->check(CLI::NonNegativeNumber);
   thumb->add_option("--seed", request.seed, "Seed of noise and chains");
   thumb->add_flag("--quick", request.quick,

@@ -17,7 +17,7 @@ void add_sweep(CLI::App& tendon) {
                 "tendon sweep synek2019_middle --tension EDC=2.9 LU=0.4 --vary MCP3_FE=0:40:20 "
                 "PIP3=0:60:10 -o net.html"}});
   command->description(
-      "The same over postures: a table (CSV) on the screen, unless a file is written");
+      "Solve the extensor hood over a grid of postures; prints CSV unless a file is written");
   command->get_option("--vary")->required();
   // A sweep without a file prints a table, as a text of every posture would be endless.
   command->callback([typed = typed] {

@@ -39,7 +39,7 @@ constexpr Words<Path> kPath[] = {
 constexpr Words<Hood> kHood[] = {
     {Hood::kSeparate, "separate tendons", "no extensor tendon passes force to another"},
     {Hood::kFractions, "fixed force fractions",
-     "the hood splits tensions in fixed parts, whatever the load"},
+     "the hood splits tension in fixed fractions, independent of load"},
     {Hood::kFloatingNet, "floating net",
      "bands of the hood are strings that find their own balance"}};
 constexpr Words<Muscle> kMuscle[] = {
@@ -50,8 +50,7 @@ constexpr Words<Muscle> kMuscle[] = {
     {Muscle::kElasticTendon, "elastic tendon",
      "fibre and tendon share the length by their stiffness"}};
 constexpr Words<ContactModel> kContact[] = {
-    {ContactModel::kNone, "no contact",
-     "the hand touches nothing but what a question holds its tips to"},
+    {ContactModel::kNone, "no contact", "no contact except at fingertips that a question holds"},
     {ContactModel::kHardPoint, "hard point",
      "a contact is one point that carries force but no moment"},
     {ContactModel::kSoftFinger, "soft finger",

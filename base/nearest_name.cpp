@@ -11,6 +11,21 @@
 #include "base/name_hint.h"
 
 namespace thenar {
+namespace {
+
+constexpr std::size_t kMinBeginning = 2;  // fewer letters are no beginning of a name [1]
+
+/// Returns the shortest name that begins with `wanted`; empty if none does, or `wanted` is short.
+std::string shortest_beginning_with(const std::string& wanted,
+                                    const std::vector<std::string>& names) {
+  std::string best;
+  if (wanted.size() < kMinBeginning) return best;
+  for (const std::string& name : names)
+    if (name.rfind(wanted, 0) == 0 && (best.empty() || name.size() < best.size())) best = name;
+  return best;
+}
+
+}  // namespace
 
 int edit_distance(const std::string& a, const std::string& b) {
   // One row of the table of Wagner and Fischer at a time.
@@ -29,7 +44,8 @@ int edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string nearest_name(const std::string& wanted, const std::vector<std::string>& names) {
-  std::string best;
+  std::string best = shortest_beginning_with(wanted, names);
+  if (!best.empty()) return best;
   // Farther than half of its letters a name is a guess rather than a correction.
   int least = static_cast<int>(wanted.size() + 1) / 2 + 1;
   for (const std::string& name : names) {

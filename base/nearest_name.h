@@ -12,8 +12,8 @@ namespace thenar {
 /// into `b`.
 [[nodiscard]] int edit_distance(const std::string& a, const std::string& b);
 
-/// Returns the name most similar to `wanted`; empty if `names` is, or if more than half of the
-/// letters of every name differ.
+/// Returns the shortest name that begins with `wanted` (two letters or more), otherwise the most
+/// similar one; empty if `names` is, or if more than half of the letters of every name differ.
 [[nodiscard]] std::string nearest_name(const std::string& wanted,
                                        const std::vector<std::string>& names);
 

@@ -51,7 +51,7 @@ Ends first_ends(const Eigen::Matrix3Xd& points) {
   const double across = axes.eigenvalues()[0] + axes.eigenvalues()[1];
   const double radius = std::sqrt(across / static_cast<double>(points.cols()));
   require(radius > 1e-6 * (height.maxCoeff() - height.minCoeff()),
-          "vertices in one line are no surface, radius {} m", radius);
+          "vertices in one line are not a surface, radius {} m", radius);
   const double low = std::min(height.minCoeff() + radius, -0.1 * radius);
   const double high = std::max(height.maxCoeff() - radius, 0.1 * radius);
   Ends ends;

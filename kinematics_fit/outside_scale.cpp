@@ -74,7 +74,7 @@ class OutsideScale {
               segment);
       const auto link = static_cast<std::size_t>(found->second);
       require(found->second >= 0 && bones_[link].length > 0,
-              "'{}' is no bone from a joint of this digit to the next", segment);
+              "'{}' is not a bone from a joint of this digit to the next", segment);
       require(measured[link].empty(), "'{}' and '{}' are one bone in this digit", measured[link],
               segment);
       measured[link] = segment;

@@ -98,10 +98,10 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
   collect_quality(out);
   if (good) return out;
   restore_shown_instant();
-  throw InputError(fmt::format(
-      "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
-      "were last; try shorter steps or smaller inputs",
-      shown_instant().state.t));
+  throw InputError(
+      fmt::format("after {:.6g} s positions or speeds are not finite any more: the motion stays "
+                  "where they were last; try shorter steps or smaller inputs",
+                  shown_instant().state.t));
 }
 
 bool LiveMotion::passed_end() const {

@@ -40,7 +40,7 @@ double& constant_entry(PadModel& pad, const PadConstant& constant) {
       // Tissues are ordered from the inside out, layers from the outside in.
       const auto layers = static_cast<int>(pad.shape.layers.size());
       require(constant.tissue > 0 && constant.tissue <= layers,
-              "'{}' is no layer of skin, and has no thickness", tissue.name);
+              "'{}' is not a layer of skin, and has no thickness", tissue.name);
       return pad.shape.layers[layers - constant.tissue].thickness;
     }
   }

@@ -60,7 +60,7 @@ void PadPress::build_body() {
 }
 
 double PadPress::touch(const Vector3d& along) {
-  require(std::abs(along.norm() - 1) < 1e-9, "the direction of a touch is no unit vector");
+  require(std::abs(along.norm() - 1) < 1e-9, "the direction of a touch is not a unit vector");
   require(state_.normal_force.isZero(0), "the object touches already");
   double distance = 0;
   for (int k = 0;; ++k) {

@@ -143,7 +143,8 @@ std::string name_of(const PressLoad& load) {
 }
 
 void check_course(const PressCourse& course) {
-  require(std::abs(course.along.norm() - 1) < 1e-9, "the direction of a press is no unit vector");
+  require(std::abs(course.along.norm() - 1) < 1e-9,
+          "the direction of a press is not a unit vector");
   for (const PressLoad& load : course.loads) {
     require(!load.force || (*load.force > 0 && std::isfinite(*load.force)),
             "a force of a press must be above 0, got {} N", load.force.value_or(0));

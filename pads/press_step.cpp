@@ -99,7 +99,7 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   require(!goal.force || (std::isfinite(*goal.force) && *goal.force > 0),
           "a force to reach must be above 0, got {} N", goal.force.value_or(0));
   require(!goal.force || std::abs(goal.along.norm() - 1) < 1e-9,
-          "the direction of a force is no unit vector");
+          "the direction of a force is not a unit vector");
   require(nodes > 0, "a body has no surface that may touch");
   require(state.x.size() == body.unknowns() && state.normal_force.size() == nodes &&
               state.friction_force.cols() == nodes && state.anchor.cols() == nodes &&

@@ -43,8 +43,8 @@ RequestTable<ContactQualityRequest> contact_params() {
             "Angle of the pyramids' first edges about the normals.");
   // Add the limits of the forces, and the accuracy of epsilon and volume.
   table.add_word("norm", kForceNormNames, &Request::norm,
-                 "Limit of contact forces: l1: normal forces sum up to 1; linf: those of each "
-                 "patch sum up to 1 at most.");
+                 "Limit of contact forces: l1: the sum of all normal forces is at most 1; linf: "
+                 "the sum within each patch is at most 1.");
   table.add("gap", number_schema(""), &Request::gap,
             "Largest certified upper - lower of epsilon, in units of normal force.");
   table
@@ -95,7 +95,8 @@ RequestTable<GraspRequest> grasp_params() {
   table.include(robustness, &Request::robustness);
   // Add the norm of the contact forces, and the certified gap of epsilon.
   table.add_word("norm", kForceNormNames, &Request::limit,
-                 "Limit of contact forces: l1 their sum, linf each of them.");
+                 "Limit of contact forces: l1: the sum of all normal forces is at most 1; linf: "
+                 "the sum within each patch is at most 1.");
   table.add("tolerance", number_schema(""), &Request::tolerance,
             "Largest difference of the certified bounds of epsilon, also of robustness.",
             "tolerance,gap");
@@ -139,8 +140,7 @@ RequestTable<CompareRequest> compare_params() {
             "File of materials and friction of your own (TOML), over the built-in table.");
   add_data(table, &Request::data);
   table.add("output", saved_file_schema(), &Request::file,
-            "File (.json) that is written after every pair; one that is there is gone on with.",
-            "");
+            "File (.json) that is written after every pair; an existing one is continued.", "");
   return table;
 }
 
@@ -148,9 +148,9 @@ void internal::add_contact_questions(std::vector<Question>& all) {
   add_question(all, "contacts",
                "Grasp quality (epsilon, volume, task margin) of a set of contacts.",
                contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality");
-  add_question(all, "grasp", "Puts the hand of a world on its object and measures the grasp.",
-               grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp",
-               QuestionPace::kLasts);
+  add_question(
+      all, "grasp", "Approaches and grasps the object of a world, and computes the grasp quality.",
+      grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp", QuestionPace::kLasts);
   add_question(
       all, "compare", "Hands on the same objects and tasks.", compare_params(), compare_hands,
       R"({"hands": ["barrett", "parallel_jaw"], "objects": ["sphere_70"], "approaches": 2})",

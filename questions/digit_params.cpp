@@ -9,7 +9,7 @@ RequestTable<DigitRequest> subject_params() {
   RequestTable<DigitRequest> table;
   table.add_argument("subject", &DigitRequest::subject, "A subject: its name, or its file (TOML).");
   table.add("digit", text_schema(), &DigitRequest::digit,
-            "Digit: thumb, index, middle, ring or little; the only one if left out.");
+            "Digit: thumb, index, middle, ring or little; default: the only one.");
   // Add the posture; frozen joints are not coordinates of the digit.
   add_posture(table, "posture", &DigitRequest::posture,
               "Angles by joint, or in the order of the joints; others stay at 0.");
@@ -35,10 +35,10 @@ RequestTable<DigitRequest> linear_digit_params() {
 RequestTable<DigitRequest> tendon_params(const std::string& hood) {
   RequestTable<DigitRequest> table = subject_params();
   table.add_word("hood", kHoodNames, &DigitRequest::hood,
-                 "Extensor hood; " + hood + " if left out.");
+                 "Extensor hood; default: " + hood + ".");
   table.add("net", text_schema(), &DigitRequest::net,
             "Extensor net: " + listed(known_nets()) +
-                ", or a file (TOML); extensor_hood if the hood is a net.");
+                ", or a file (TOML); default for a net hood: extensor_hood.");
   return table;
 }
 

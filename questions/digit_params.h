@@ -81,8 +81,8 @@ template <typename Request>
 void add_data(RequestTable<Request>& table, std::string Request::*member) {
   table
       .add("data", text_schema(), member,
-           "Folder with robots/, objects/.., before THENAR_DATA, ./data and what came with the "
-           "program.")
+           "Data folder (with robots/, objects/, ...), searched before THENAR_DATA, ./data and the "
+           "data installed with thenar.")
       .scope = ParamScope::kLocal;
 }
 

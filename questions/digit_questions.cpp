@@ -30,7 +30,7 @@ void add_tension(RequestTable<Request>& table, std::map<std::string, double> Req
 
 RequestTable<DigitRequest> moment_arm_params() {
   RequestTable<DigitRequest> table = linear_digit_params();
-  table.add_word("hood", kHoodNames, &DigitRequest::hood, "Extensor hood; fractions if left out.");
+  table.add_word("hood", kHoodNames, &DigitRequest::hood, "Extensor hood; default: fractions.");
   return table;
 }
 
@@ -76,8 +76,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   table.add_word("load", kTipLoadNames, &Request::load, "Kind of load that is asked for.", "");
   table.add(
       "direction", vector_schema(""), &Request::direction,
-      "Direction x y z of the wanted force, or axis of the wanted moment; the whole set if left "
-      "out.");
+      "Direction x y z of the wanted force, or axis of the wanted moment; default: the whole set.");
   // Bounds of the load of the other kind, where a contact is neither a hinge nor a clamp.
   add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
                  "Largest moment allowed about each axis in addition to the force: 0 = pinned tip, "
@@ -100,13 +99,12 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
       .form = "MUSCLE=newton";
   // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
-                 "Wrist: held: welded; free: it moves and bears the load, with the muscles across "
-                 "it; pinch: it moves, and the load ends within the hand.");
-  Param& stops = table.add(
-      "stops", units::kNewtonMetre, map_schema(infinite_number_schema("", -kInfinity)),
-      &Request::stops,
-      "Joints at the end of their range, whose ligaments give at most this torque; positive "
-      "flexes, inf: any.");
+                 "Wrist: held: welded; free: moves and carries the load, with the muscles across "
+                 "it; pinch: moves freely; the load is internal to the hand.");
+  Param& stops = table.add("stops", units::kNewtonMetre,
+                           map_schema(infinite_number_schema("", -kInfinity)), &Request::stops,
+                           "Joints at the end of their range and the largest torque of the stop; "
+                           "positive: flexion; inf: unlimited.");
   stops.option = "stop";
   stops.form = "JOINT=N_m";
   return table;
@@ -124,7 +122,7 @@ RequestTable<PoseRequest> pose_params() {
   RequestTable<Request> table;
   table.add_argument("model", &Request::model, "A subject or a robot: its name, or its file.");
   table.add("digits", list_schema(text_schema(), 0, 100), &Request::digits,
-            "Digits of a subject to keep; all if left out.", "digit");
+            "Digits of a subject to keep; default: all.", "digit");
   add_posture(table, "posture", &Request::posture,
               "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
               "of freedom or joints, slides in mm.");
@@ -159,7 +157,9 @@ void add_digit_questions(std::vector<Question>& all) {
                R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":
                                   {"MCP2_FE": 20, "PIP2": 30}, "tension_N": {"EDC": 2.9}})",
                "tendon solve");
-  add_question(all, "tendon_sweep", "The same over postures.", tension_params(), sweep_tendons,
+  add_question(all, "tendon_sweep",
+               "Bands, slips, torques and tip force of a digit over a grid of postures.",
+               tension_params(), sweep_tendons,
                R"({"subject": "synek2019_middle", "tension_N": {"EDC": 2.9},
                                   "vary_deg": [{"joint": "PIP3", "from": 0, "to": 20,
                                   "step": 10}]})",

@@ -48,7 +48,7 @@ RequestTable<FitSources> source_params() {
       .member.required = true;
   // Select the free parameters and their priors.
   table.add("settings", text_schema(), &FitSources::settings,
-            "Which parameters move: name or file; built in for the digit if left out.");
+            "Which parameters are fitted: name or file; default: built in for the digit.");
   // A net replaces the fractions of the hood.
   table.add("net", text_schema(), &FitSources::net,
             "Extensor net in place of the subject's hood: name or file.");
@@ -94,7 +94,8 @@ RequestTable<InferNetRequest> infer_params() {
   add_path(table, &Request::path);
   // Method of the search, and tests that would tell the remaining nets apart.
   table.add_word("method", kInferMethodNames, &Request::method,
-                 "Method: sparse: all bands at once, at a price; explore: a search among nets.");
+                 "Method: sparse: one fit of all bands with a sparsity penalty; explore: search "
+                 "over topologies.");
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of the search, and of the draws that `free` asks for.");
@@ -103,7 +104,7 @@ RequestTable<InferNetRequest> infer_params() {
             "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
             "parameters; bands then get probabilities.");
   table.add("bands", names_schema(), &Request::bands,
-            "Bands in question, with `free`, as globs; all if left out.");
+            "Bands in question, with `free`, as globs; default: all.");
   table.add("settings", text_schema(), &Request::settings,
             "Settings with all priors, with `free`: name or file.");
   RequestTable<BandPosteriorOptions> sets;
@@ -181,32 +182,30 @@ RequestTable<SampleRequest> posterior_params() {
   table.add("walkers", integer_schema(0, 1e9), &Request::walkers,
             "Chains of one ensemble; 0: as the sampler needs.");
   // Step size and length of trajectories of Hamiltonian samplers.
-  table.add(
-      "target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
-      "Target acceptance of nuts and hmc: a higher one takes smaller steps, against divergent "
-      "ones.");
+  table.add("target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
+            "Target acceptance of nuts and hmc; a higher value gives smaller steps and fewer "
+            "divergences.");
   table.add("max_depth", integer_schema(1, 30), &Request::max_depth,
             "Largest depth of the trees of nuts: 2^depth steps at most.");
   // Warm-up adapts the sampler; draws are kept, thinned where neighbours are alike.
   table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
             "Steps that adapt and are thrown away.");
-  table.add(
-      "draws", integer_schema(0, 1e9), &Request::draws,
-      "Draws of each chain; 0: 1000, or 100 with stretch, doubled up to twice where the chains "
-      "do not agree yet and more may help.");
+  table.add("draws", integer_schema(0, 1e9), &Request::draws,
+            "Draws per chain (0: 1000, or 100 for stretch); doubled at most twice if the chains "
+            "have not converged and more draws may help.");
   table.add("thin", integer_schema(0, 1e9), &Request::thin,
             "Steps per draw; 0: 1, or 10 with stretch.");
   // Parallel tempering lets chains pass between modes.
   table.add("temperatures", integer_schema(1, 1e9), &Request::temperatures,
-            "Rungs of parallel tempering; 1: none.");
+            "Temperatures of parallel tempering; 1: none.");
   table.add("min_beta", number_schema("", 0, 1), &Request::min_beta,
-            "Power of the likelihood on the hottest rung.", "least-temper");
+            "Power of the likelihood at the highest temperature.", "least-temper");
   table.add("swap_every", integer_schema(1, 1e9), &Request::swap_every,
             "Steps between swaps of temperatures.");
   table.add("mode_starts", integer_schema(0, 1e9), &Request::mode_starts,
             "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
   table.add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
-            "Time between checkpoints, which is lost at most if the run is killed.",
+            "Time between checkpoints; at most this much work is lost if the run is killed.",
             "checkpoint-every-s");
   table.add("threads", integer_schema(0, 1e9), &Request::threads,
             "Number of threads; 0: as many as there are processors.");

@@ -25,21 +25,21 @@ RequestTable<PressRequest> press_params() {
   RequestTable<PressObjectRequest> object;
   object.add("object", text_schema(), &PressObjectRequest::name,
              "Object that presses: " + listed(press_object_names()) + ", or a mesh file.");
-  object.add(
-      "radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
-      "Radius of a sphere or cylinder (10 mm if left out), or of an edge's rounding (0.5 mm).");
+  object.add("radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
+             "Radius of a sphere or cylinder (default: 10 mm), or of an edge's rounding (default: "
+             "0.5 mm).");
   object.add("scale", number_schema("", 0), &PressObjectRequest::scale,
              "Scale of a mesh: metres per unit of its file.");
   // Add the pad, and tissue laws in place of those of its file.
   RequestTable<PadRequest> pad;
   pad.add("pad", text_schema(), &PadRequest::pad, "A pad: its name, or its file (TOML).");
   pad.add("law", text_schema(), &PadRequest::law,
-          "Law of its tissues: " + listed(tissue_law_names()) + "; as its file says if left out.");
+          "Law of its tissues: " + listed(tissue_law_names()) + "; default: from the pad's file.");
   pad.add("exponent", number_schema(""), &PadRequest::exponent,
           "Exponent of the laws ogden and veronda-westmann.");
   pad.add(
       "element", text_schema(), &PadRequest::element,
-      "Elements of its mesh: " + listed(pad_element_names()) + "; as its file says if left out.");
+      "Elements of its mesh: " + listed(pad_element_names()) + "; default: from the pad's file.");
   add_data(pad, &PadRequest::data);
   RequestTable<Request> table;
   table.include(object, &Request::object);
@@ -58,17 +58,17 @@ RequestTable<PressRequest> press_params() {
             "Speed of the object; 0: quasi-static (fully relaxed); default: instantaneous (no "
             "relaxation).");
   table.add("hold", units::kSecond, number_schema("", 0), &Request::hold,
-            "Time for which the object then stands still.");
+            "Time for which the object is then held still.");
   table.add("friction", number_schema("", 0), &Request::friction,
             "Coefficient of friction of the skin on the object.");
   table.include(pad, &Request::pad);
   table.add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
             "Estimated error of the force below which the mesh is not refined.", "error");
   table.add("max_elements", integer_schema(1, 1e9), &Request::max_elements,
-            "A mesh with so many elements is not refined any more.");
+            "Number of elements at which refinement stops.");
   table.add("points", integer_schema(1, 1e9), &Request::points, "Number of points on the curves.");
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
-            "Number of points on the curves while the object stands still.");
+            "Number of points on the curves while the object is held still.");
   table.add("rungs", flag_schema(), &Request::rungs,
             "Also compare reduced laws, elements and meshes: error over time; takes minutes.",
             "chart");
@@ -94,9 +94,9 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
   table.add("excitation_file", text_schema(), &Request::excitation_file,
             "CSV time_s,MUSCLE,...: straight lines between its rows.");
   // Add the model of muscles; only elastic tendons need slack lengths.
-  table.add_word("muscle", kMuscleNames, &Request::muscle,
-                 "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
-                 "lengths.");
+  table.add_word(
+      "muscle", kMuscleNames, &Request::muscle,
+      "Muscle model; default: rigid-tendon, or bounds if the subject states no fibre lengths.");
   table
       .add("tendon_slack", units::kMillimetre, map_schema(number_schema("")),
            &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.")
@@ -121,19 +121,18 @@ RequestTable<SceneRequest> scene_params() {
   RequestTable<Request> table;
   table.add_argument("scene", &Request::scene,
                      "A scene of bodies and hands: its name, or its file (TOML).");
-  table.add(
-      "method", text_schema(), &Request::method,
-      "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
-  table.add(
-      "pads", text_schema(), &Request::pads,
-      "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
+  table.add("method", text_schema(), &Request::method,
+            "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; default: from the scene.");
+  table.add("pads", text_schema(), &Request::pads,
+            "Level of detail of all its pads: " + listed(pad_rung_names()) +
+                "; default: from the scene.");
   add_path(table, &Request::path);
   table.add("on_pins", flag_schema(), &Request::on_pins,
             "Replace compliant joints by ideal ones: no joint gives.", "");
   table.add("seconds", number_schema("", 0), &Request::seconds,
-            "Duration; as the scene says if left out.");
+            "Duration; default: from the scene.");
   table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-            "Time between the instants kept; as the scene says if left out.", "sample-ms");
+            "Time between the instants kept; default: from the scene.", "sample-ms");
   table.add("step", units::kMillisecond, number_schema("", 0), &Request::step,
             "Length of every step, by time-stepping.", "step-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance,

@@ -29,8 +29,10 @@ Json from_printed(const Json& value, const FieldUnit& unit) {
   return out;
 }
 
-/// Converts the unit of a key to text: "N_m_per_rad" to "N m/rad".
+/// Converts the unit of a key to text: "N_m_per_rad" to "N m/rad", "Nm" to "N m", "percent" to "%".
 std::string unit_words(std::string key) {
+  if (key == "percent") return "%";
+  if (key.rfind("Nm", 0) == 0) key.replace(0, 2, "N_m");
   if (const std::size_t per = key.find("_per_"); per != std::string::npos) key.replace(per, 5, "/");
   std::replace(key.begin(), key.end(), '_', ' ');
   return key;

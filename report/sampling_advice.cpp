@@ -125,7 +125,7 @@ std::vector<SamplingAdvice> advise(const PosteriorRun& run) {
   if (!too_short(run)) return advice;
   const std::string draws = fmt::format("{}", 4 * options.draws);
   add(fmt::format("R-hat or effective sizes ask for more draws: --draws {}, with which the same "
-                  "command goes on",
+                  "command continues",
                   draws),
       {{"--draws", draws}}, false);
   const std::string warm_up = fmt::format("{}", std::max(1000L, 2 * options.sampler.warm_up));

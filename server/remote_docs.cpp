@@ -78,7 +78,7 @@ std::string escaped_cell(std::string text) {
 }
 
 std::string default_text(const SchemaMember& member) {
-  if (member.required) return "must be there";
+  if (member.required) return "required";
   return member.default_value.is_null() ? "" : "`" + json_text(member.default_value, -1) + "`";
 }
 
@@ -102,7 +102,7 @@ std::string example_of(const RpcMethod& method) {
 std::string section_of(const RpcMethod& method) {
   std::string out = fmt::format("### {}\n\n{}\n", method.name, wrapped_text(method.about));
   if (!method.params.members.empty()) {
-    out += "| param | what it takes | if left out | |\n|---|---|---|---|\n";
+    out += "| parameter | type | default | description |\n|---|---|---|---|\n";
     for (const SchemaMember& member : method.params.members)
       out += fmt::format("| `{}` | {} | {} | {} |\n", member.name,
                          escaped_cell(type_text(member.schema)), escaped_cell(default_text(member)),

@@ -261,7 +261,7 @@ std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject, const
                                                    const TendonOptions& options) {
   // Check that the hood model is linear.
   require(options.hood <= Hood::kFractions,
-          "a hood that floats is no linear map of tensions: build a net");
+          "a floating hood is not a linear map of tensions: build a net");
   TendonDigit built = build_tendon_digit(subject, digit, options);
   // Build the requested paths.
   std::unique_ptr<StrandPaths> paths;

@@ -120,9 +120,14 @@ std::string named_file(const std::string& what, const std::string& name, const s
   require(elsewhere.empty(), "there is no {} '{}'; {}", what, name, elsewhere);
   const std::vector<std::string> known = names_in(places, folder, ending);
   const std::string meant = did_you_mean(name, known);
-  throw InputError(fmt::format("there is no {} '{}'{} is neither a file nor one of {}/; {}", what,
-                               name, meant.empty() ? ": it" : meant + " It", folder,
-                               places_words(places)));
+  std::error_code none;
+  if (fs::exists(name, none))  // a folder, a pipe or a device
+    throw InputError(fmt::format("there is no {} '{}'{} is neither a file nor one of {}/; {}", what,
+                                 name, meant.empty() ? ": it" : meant + " It", folder,
+                                 places_words(places)));
+  throw InputError(fmt::format(
+      "there is no {} '{}'{} is no such file, and no such name in {}/ of {}", what, name,
+      meant.empty() ? ": there" : meant + " There", folder, fmt::join(places, ", ")));
 }
 
 std::string places_words(const std::vector<std::string>& places) {

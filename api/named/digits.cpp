@@ -151,8 +151,8 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;
     const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
     require(request.posture.empty() && request.frozen.empty() && request.vary.empty() && straight,
-            "tip map '{}' stands for one posture of its own: it takes no posture, frozen joints, "
-            "swept joints or paths",
+            "tip map '{}' is for one posture of its own: it takes no posture, frozen joints, swept "
+            "joints or paths",
             at.map);
     return at;
   }
@@ -211,7 +211,7 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
     const std::string& muscle = muscles[static_cast<std::size_t>(i)];
     require_field("tension", t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N", muscle, t[i]);
     require_field("tension", t[i] <= kMaxTension,
-                  "wanted a tension of '{}' up to {} N, got {} N: no tendon bears it", muscle,
+                  "wanted a tension of '{}' up to {} N, got {} N: no tendon withstands it", muscle,
                   kMaxTension, t[i]);
   }
   return t;
@@ -277,8 +277,8 @@ std::vector<std::string> reversal_warnings(const DigitTendons& linear, const Pos
                                               stride > 1 ? " looked at" : "",
                                               varied_angles(digit.names.coordinates, grid, where));
   return {
-      fmt::format("moment arms have the wrong sign {}: {}; the subject's arms_mm or the muscles' "
-                  "names say the other one",
+      fmt::format("moment arms have an unexpected sign {}: {}; the subject's arms_mm or the muscle "
+                  "names imply the opposite sign",
                   place, fmt::join(first, ", "))};
 }
 

@@ -184,8 +184,9 @@ std::string absent(const std::string& path) {
 }
 
 std::string with_article(const std::string& kind) {
-  const bool none = kind == "materials" || kind == "contacts" || kind == "fit settings" ||
-                    kind == "proportions" || kind == "presses of a pad" || kind == "laws of a pad";
+  if (kind == "contacts") return "a contact set";
+  const bool none = kind == "materials" || kind == "fit settings" || kind == "proportions" ||
+                    kind == "presses of a pad" || kind == "laws of a pad";
   const bool vowel = std::string("aeiou").find(kind.front()) != std::string::npos;
   return (none ? "" : vowel ? "an " : "a ") + kind;
 }
@@ -210,7 +211,7 @@ void require_result_path(const std::string& path) {
   };
   std::error_code none;
   require(!fs::exists(path, none) || is_result(),
-          "'{}' exists and is no result file of thenar; it is not overwritten", path);
+          "'{}' exists and is not a result file of thenar; it is not overwritten", path);
   require_writable(path);
 }
 
@@ -238,7 +239,7 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
       transformed(kinds, [](const std::string& kind) { return with_article(kind); });
   std::string ways;
   if (!found.commands.empty())
-    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",
+    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "try" : "commands that take it",
                        fmt::join(found.commands, ", "));
   const bool part = found.kind == "robot" || found.kind == "object" || found.kind == "mesh";
   if (part && !hint.empty()) ways += "; " + hint;

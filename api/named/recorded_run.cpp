@@ -151,7 +151,7 @@ void require_repeatable(const RecordedRun& recorded, const std::vector<std::stri
   const bool known = contains(commands, name);
   // No file of a stranger opens a server.
   const bool answers = name != "rerun" && name != "view" && name != "serve";
-  require(known && answers, "'{}' records '{}', which is no command to run again", recorded.file,
+  require(known && answers, "'{}' records '{}', which is not a command to run again", recorded.file,
           command_line(recorded.run));
   std::error_code none;
   require(fs::is_directory(recorded.run.folder, none),

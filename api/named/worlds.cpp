@@ -148,10 +148,10 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   hand.files = robot.files;
   // Warn of locked motors, which resist any torque and so make loads look too large.
   if (!locked.empty())
-    hand.warnings.push_back(fmt::format(
-        "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
-        "part of any load",
-        fmt::join(locked, " and ")));
+    hand.warnings.push_back(
+        fmt::format("motors of {} with unknown effort limits are treated as locked; their strength "
+                    "does not limit any load",
+                    fmt::join(locked, " and ")));
 }
 
 /// Finds the indices of a part's coordinates in a mounted hand: by their own name, or with the

@@ -154,9 +154,9 @@ PressObject open_press_object(const PressObjectRequest& request, double size) {
   if (request.name == "edge") return open_edge(radius_of(request, kEdgeRadius), size);
   require(!request.radius, "an object '{}' has no radius", request.name);
   if (request.name == "plane") return open_plane(size);
-  require(is_file(request.name), "there is no object '{}'{}: wanted {}, or a mesh file",
-          request.name, did_you_mean(request.name, press_object_names()),
-          listed(press_object_names()));
+  const std::string meant = did_you_mean(request.name, press_object_names());
+  require(is_file(request.name), "there is no object '{}'{} {}, or a mesh file", request.name,
+          meant.empty() ? ": wanted" : meant + " Wanted", listed(press_object_names()));
   return open_mesh(request);
 }
 

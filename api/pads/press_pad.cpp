@@ -39,7 +39,7 @@ constexpr double kMaxAcrossCosine = 0.7;
 
 void check_numbers(const PressRequest& request) {
   require(request.force.has_value() != request.depth.has_value(),
-          "wanted one of a force and a depth, got {}", request.force ? "both" : "none");
+          "wanted a force or a depth, got {}", request.force ? "both" : "none");
   // Limits of a press are far above those of fingertips, and catch mistakes in units.
   if (request.force)
     require(*request.force > 0 && *request.force <= kHardestPress,
@@ -56,9 +56,9 @@ void check_numbers(const PressRequest& request) {
             "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
             *request.rate / kMm);
   require(request.hold >= 0 && std::isfinite(request.hold),
-          "wanted 0 s or more that the object stands still, got {:g} s", request.hold);
+          "wanted a holding time of 0 s or more, got {:g} s", request.hold);
   require(request.hold == 0 || request.rate.value_or(0) > 0,
-          "tissue relaxes while the object stands still after a rate above 0 only");
+          "tissue relaxes while the object is held still after a rate above 0 only");
   require(request.friction >= 0 && std::isfinite(request.friction),
           "wanted friction of at least 0, got {:g}", request.friction);
   for (const int points : {request.points, request.hold_points})

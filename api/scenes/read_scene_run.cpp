@@ -257,8 +257,8 @@ class RunReader {
         const Eigen::Map<const Eigen::Vector3d> there(places.data() + 3 * (i * bodies + b));
         if (!((motion.pose(static_cast<int>(b)).p - there).norm() <= kSamePlace))
           fail(
-              fmt::format("'{}' stands elsewhere now: what the scene is built from has changed "
-                          "since the run was made",
+              fmt::format("'{}' is elsewhere now: what the scene is built from has changed since "
+                          "the run was made",
                           mechanism.bodies[b].name));
       }
     }

@@ -43,10 +43,10 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
   append_all(warnings, pulls);
   // Then events without end, surfaces that moved too fast, penetration and limits.
   if (scene.run.cost.passed > 0)
-    warnings.push_back(fmt::format(
-        "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
-        "without an estimate of their error",
-        scene.run.cost.passed));
+    warnings.push_back(
+        fmt::format("events followed each other without end {} times: fixed steps continued by 1 "
+                    "ms each time, without an estimate of their error",
+                    scene.run.cost.passed));
   if (scene.run.cost.leaps > 0)
     warnings.push_back(
         fmt::format("in {} steps surfaces moved so fast that they may have gone through each other",

@@ -58,11 +58,11 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   if (!source.human) {
     if (hand.skin_triangles > 0 || hand.skin_capsules || hand.passive)
       throw DataError(scene.path, hand.line,
-                      fmt::format("'{}' is no human hand with a skin", name));
+                      fmt::format("'{}' is not a human hand with a skin", name));
     Thing thing = read_thing(source.file);
     auto* robot = std::get_if<RobotSpec>(&thing);
     if (robot == nullptr)
-      throw DataError(scene.path, hand.line, fmt::format("'{}' is no robot", source.file));
+      throw DataError(scene.path, hand.line, fmt::format("'{}' is not a robot", source.file));
     files.insert(robot->files.begin(), robot->files.end());
     return std::move(*robot);
   }

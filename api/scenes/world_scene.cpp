@@ -247,8 +247,7 @@ class WorldBuilder {
       hold(scene.mechanism, scene.q[model.layout.coordinate_q[c]], weight[row], mass(row, row),
            drive);
     }
-    warnings_.push_back(
-        "drives hold all joints where they stand, and bear the weight of the hands there");
+    warnings_.push_back("drives hold all joints in place, and carry the weight of the hands there");
   }
 
   /// @param inertia  that the coordinate feels [kg m^2] or [kg]
@@ -276,9 +275,8 @@ class WorldBuilder {
           fmt::format("the largest effort of '{}' is unknown: its drive has none", name));
     else if (std::abs(drive.bias) > drive.max_effort)
       warnings_.push_back(
-          fmt::format("'{}' cannot bear the weight of its hand: {:.3g} of {:.3g} "
-                      "{}",
-                      name, std::abs(drive.bias), drive.max_effort, slides ? "N" : "N m"));
+          fmt::format("'{}' cannot carry the weight of its hand: {:.3g} of {:.3g} {}", name,
+                      std::abs(drive.bias), drive.max_effort, slides ? "N" : "N m"));
   }
 
   const WorldSpec& world_;

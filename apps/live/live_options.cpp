@@ -56,7 +56,7 @@ CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int c
                      "Address to listen at; other machines need --token");
   CLI::Option* token = command.add_option(
       "--token", arguments.access.token,
-      "What clients have to show: a text, or auto, which makes and prints one; made if left out");
+      "Access token for clients; `auto` generates and prints one. Default: generated");
   command.add_flag("--no-token", arguments.no_token, "Let all users of this machine in")
       ->excludes(token);
   command.add_option("--log", arguments.log,

@@ -98,13 +98,12 @@ void add_serve(CLI::App& app) {
   auto options = std::make_shared<ServeArguments>();
   CLI::App* command = app.add_subcommand(
       "serve", "Let programs control worlds, motions, digits and fits: JSON-RPC 2.0, line by line");
-  options->port = add_live_options(*command, options->live, 1,
-                                   "Port of TCP that programs connect to; 0 takes a free one");
+  options->port = add_live_options(*command, options->live, 1, "TCP port; 0 selects a free one");
   command->add_flag("--stdio", options->stdio,
                     "Take requests from standard input, and write replies to standard output");
   CLI::Option* replay = command->add_option("--replay", options->replay,
-                                            "Repeat the requests of a log but those that write "
-                                            "files, up to the first reply that differs");
+                                            "Replay the requests of a log, except those that write "
+                                            "files, up to the first different reply");
   command
       ->add_option("--replay-writes", options->replay_writes,
                    "Folder in which requests of the log may write files")

@@ -83,9 +83,9 @@ void add_pad_fit(CLI::App& pad) {
                    "Measured presses and the constants to fit: a name, or a file (TOML)")
       ->required();
   command
-      ->add_option("--pad", request.pad,
-                   "The pad to start from: its name, or its file (TOML); as the data file says if "
-                   "left out")
+      ->add_option(
+          "--pad", request.pad,
+          "The pad to start from: its name, or its file (TOML); default: from the data file")
       ->default_str("");
   command->add_option("--points", request.points, "Number of points on the fitted pad's curves");
   command->add_flag("--no-mesh-check", options->no_mesh_check,
@@ -132,7 +132,7 @@ void add_pad_laws(CLI::App& pad) {
                       "Estimated error of the elements' force below which the mesh is not refined "
                       "[%]");
   command->add_option("--max-elements", request.max_elements,
-                      "A mesh with so many elements is not refined any more");
+                      "Number of elements at which refinement stops");
   add_data_option(*command, request.pad.data);
   add_output_options(*command, options->outputs, {true, true, true, {".toml"}});
   add_examples(*command, {"pad laws", "pad laws --pad index_fitted -o index_fitted_laws.toml",

@@ -254,7 +254,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
     check(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
     return text;
   }
-  require(type == NC_STRING && length == 1, "{} is no text", what);
+  require(type == NC_STRING && length == 1, "{} is not a text", what);
   return reading.text(
       what, [&](char** to) { return nc_get_att_string(group, variable, name.c_str(), to); });
 }
@@ -304,7 +304,7 @@ std::size_t size_of(const VariableShape& shape, const InferenceGroup& group, std
   for (const std::string& dimension : shape.dimensions) {
     const auto found = group.lengths.find(dimension);
     require(found != group.lengths.end(),
-            "'{}' lies along '{}', which is no dimension of its group", shape.name, dimension);
+            "'{}' lies along '{}', which is not a dimension of its group", shape.name, dimension);
     if (found->second == 0) return 0;
     require(size <= most / found->second, "'{}' promises more values than the file has bytes, {}",
             shape.name, most);

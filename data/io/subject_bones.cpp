@@ -163,8 +163,8 @@ void add_joint(TomlTable& table, const JointAxis& joint, SubjectDraft& draft) {
   if (joint.child == subject.base)
     table.fail(fmt::format("joint '{}' moves the base '{}'", joint.name, joint.child), "child");
   if (!carried)
-    table.fail(fmt::format("joint '{}' hangs on segment '{}', which no earlier joint moves: "
-                           "joints stand in order from the base '{}'",
+    table.fail(fmt::format("joint '{}' hangs on segment '{}', which no earlier joint moves: joints "
+                           "must be in order from the base '{}'",
                            joint.name, joint.parent, subject.base),
                "parent");
   draft.subject.joints.push_back(joint);

@@ -57,11 +57,11 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
     if (pad.on.compare(0, human.name.size() + 1, human.name + "/") == 0)
       return fingertip_pad_place(human.hand, pad.on.substr(human.name.size() + 1), pad.spec,
                                  pad.scale);
-  throw InputError(fmt::format(
-      "a pad needs a 'position': '{}' is no link of a human hand, whose fingertips have "
-      "one; give 'position_mm' and 'rotation' of the pad's frame in it: origin in the "
-      "middle of the nail's plane, x distal, y radial, z palmar",
-      pad.on));
+  throw InputError(
+      fmt::format("a pad needs a 'position': '{}' is not a link of a human hand, whose fingertips "
+                  "have one; give 'position_mm' and 'rotation' of the pad's frame in it: origin in "
+                  "the middle of the nail's plane, x distal, y radial, z palmar",
+                  pad.on));
 }
 
 /// Adds the element of one pad on body a against body b.
@@ -111,7 +111,7 @@ PadPlace fingertip_pad_place(const HumanMechanism& hand, const std::string& link
     out.X_BP.p = patch.middle.p - out.scale * pad.height * z;
     return out;
   }
-  throw InputError(fmt::format("a pad needs a 'position': '{}' is no fingertip", link));
+  throw InputError(fmt::format("a pad needs a 'position': '{}' is not a fingertip", link));
 }
 
 void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, BuiltScene& built) {

@@ -33,7 +33,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
     if (column < 0) continue;
     if (out.target.size() > 0)
       throw DataError(path, table.header_line,
-                      fmt::format("target '{}' stands in two units", drive.name));
+                      fmt::format("target '{}' is given in two units", drive.name));
     out.time = table.time;
     out.target = unit.to_si * table.value.col(column);
   }

@@ -85,12 +85,12 @@ CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
 /// Builds a ball or a capsule from a collision surface without a spec.
 CollisionPart swept_part(const RoundedMesh& swept) {
   const Eigen::Matrix3Xd& v = swept.core.vertices;
-  require(swept.core.triangles.cols() == 1, "a rounded surface of {} triangles is no primitive",
+  require(swept.core.triangles.cols() == 1, "a rounded surface of {} triangles is not a primitive",
           swept.core.triangles.cols());
   // The two corners farthest apart are the ends; the third must be one of them.
   const Eigen::Vector3i t = swept.core.triangles.col(0);
   const Vector3d from = v.col(t(0)), to = v.col(t(1)) == from ? v.col(t(2)) : v.col(t(1));
-  require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded triangle is no primitive");
+  require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded triangle is not a primitive");
   const double length = (to - from).norm();
   CollisionPart part = round_part(swept.radius, swept.radius, length);
   part.X_BP.p = (from + to) / 2;

@@ -424,7 +424,7 @@ SavedComparison read_comparison(const std::string& path, const JsonNode& inputs,
   if (!std::filesystem::exists(path, none)) return {};
   JsonNode file = parse_json(path, read_guarded(path, GuardedKind::kJson));
   require(file.find("inputs") != nullptr && file.find("cells") != nullptr,
-          "'{}' is no comparison of hands: name another file", path);
+          "'{}' is not a comparison of hands: name another file", path);
   check_checksum(path, file);
   rename_hands(file, name);
   const JsonNode *its_inputs = file.find("inputs"), *cells = file.find("cells");

@@ -213,7 +213,7 @@ std::string explain_unknown_effort(const HandForceInputs& forces) {
 std::string explain_zero_margin(const HandForceInputs& forces,
                                 const std::vector<ScaledWrench>& loads) {
   // Try friction alone, then unlimited motors at all joints that carry contact force.
-  if (!holds(free_forces(forces.set), loads)) return "friction at the contacts cannot bear it";
+  if (!holds(free_forces(forces.set), loads)) return "friction at the contacts cannot resist it";
   std::vector<int> joints;
   for (Index j = 0; j < forces.T.rows(); ++j)
     if (carries_force(forces, j)) joints.push_back(static_cast<int>(j));

@@ -19,7 +19,7 @@ inline constexpr double kNegligibleLoad = 1e-6;
 inline constexpr const char* kSupportedByStructure =
     "supported by rigid structure (strength unknown)";
 inline constexpr const char* kBorneByStructure =
-    "efforts bear nothing of it, rigid structure (strength unknown) does";
+    "efforts carry nothing of it, rigid structure (strength unknown) does";
 
 /// Arguments of hand_forces().
 struct HandForceInputs {

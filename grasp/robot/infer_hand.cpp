@@ -124,10 +124,11 @@ RobotSpec with_materials(RobotSpec robot) {
     (named_soft ? soft : bare).push_back(link.name);
   }
   if (!soft.empty())
-    robot.warnings.push_back(fmt::format("no material is stated: {} is taken for {}, by the names",
-                                         kSoftMaterial, fmt::join(soft, ", ")));
+    robot.warnings.push_back(
+        fmt::format("no material is stated: {} is assumed for {}, by the names", kSoftMaterial,
+                    fmt::join(soft, ", ")));
   if (!bare.empty())
-    robot.warnings.push_back(fmt::format("no material is stated: {} is taken for {}",
+    robot.warnings.push_back(fmt::format("no material is stated: {} is assumed for {}",
                                          kDefaultMaterial, fmt::join(bare, ", ")));
   return robot;
 }

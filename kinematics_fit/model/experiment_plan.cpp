@@ -93,7 +93,7 @@ void warn_of_sites(const ExperimentPlan& plan, const Experiment& experiment, War
     const PlannedSite& site = plan.sites[at];
     if (site.link >= 0 && static_cast<int>(site.balanced.size()) < loads)
       warnings.push_back(fmt::format(
-          "a load cell at {} bears {} loads, but {} joint angles move that segment: forces are "
+          "a load cell at {} carries {} loads, but {} joint angles move that segment: forces are "
           "those of least norm, as torques do not tell how bones and cell share them",
           experiment.trials[i].site->at, loads, site.balanced.size()));
   }

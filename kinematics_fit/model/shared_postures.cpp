@@ -112,10 +112,10 @@ std::vector<std::string> posture_name_warnings(const std::vector<Experiment>& ex
       const std::string suffix = own_suffix(experiment);
       const std::size_t length = posture.name.size() - std::min(suffix.size(), posture.name.size());
       if (posture.name.substr(length) == suffix)
-        warnings.push_back(fmt::format(
-            "experiment '{}': posture '{}' stands more than 2 degrees from that of the same name "
-            "in other experiments: it is taken for another one",
-            experiment.name, posture.name.substr(0, length)));
+        warnings.push_back(
+            fmt::format("experiment '{}': posture '{}' is more than 2 degrees from that of the "
+                        "same name in other experiments: it is treated as another one",
+                        experiment.name, posture.name.substr(0, length)));
     }
   // Warn of equal names for different postures of several specimens.
   for (const std::string& name : names) {

@@ -226,23 +226,21 @@ double in_two_digits(double value) { return rounded_to(value, std::abs(value) / 
 
 std::string reading_words(const Comparison& comparison) {
   return fmt::format(
-      "Force closure: whatever the disturbance, some contact forces within friction "
-      "balance it. Epsilon: the largest disturbance that is balanced from whatever "
-      "direction, in units of the contacts' own forces (their normal forces sum up to 1), "
-      "torques divided by the object's reach; 0 is the edge of slipping. More friction, "
-      "soft pads or more contacts may raise it; the strength of the hand, and a size that "
-      "object and contacts share, do not.\n\nEpsilon within hand limits: the same disturbance in "
-      "newtons, with the forces that "
-      "the hand's own motors or tendons, stops and drives that do not run back can make at "
-      "that posture. A grasp of good geometry may have none: a joint that nothing holds "
-      "gives way. Stops, such drives and palms press by no force of their own: they push "
-      "back what motors or tendons press, and bear what the load presses on them without "
-      "friction. No source states their strength: no limit means that they alone bear the "
-      "load, and not that the hand would. Loads are told twice: by efforts and friction alone, and "
-      "with structure, within the same limits.\n\nn/a stands where nothing was "
-      "measured or an effort is unknown. Approaches are random: shares have the interval "
-      "that is given with them, and the best of few approaches is not the best there "
-      "is.\n\nSeed {}, {} approaches, objects {}.",
+      "Force closure: whatever the disturbance, some contact forces within friction balance it. "
+      "Epsilon: the largest disturbance that is balanced from whatever direction, in units of the "
+      "contacts' own forces (their normal forces sum up to 1), torques divided by the object's "
+      "reach; 0 is the edge of slipping. More friction, soft pads or more contacts may raise it; "
+      "the strength of the hand, and a size that object and contacts share, do not.\n\nEpsilon "
+      "within hand limits: the same disturbance in newtons, with the forces that the hand's own "
+      "motors or tendons, stops and drives that do not run back can make at that posture. A grasp "
+      "of good geometry may have none: a joint that nothing holds gives way. Stops, such drives "
+      "and palms press by no force of their own: they push back what motors or tendons press, and "
+      "carry what the load presses on them without friction. No source states their strength: no "
+      "limit means that they alone carry the load, and not that the hand would. Loads are told "
+      "twice: by efforts and friction alone, and with structure, within the same limits.\n\nn/a "
+      "appears where nothing was measured or an effort is unknown. Approaches are random: shares "
+      "have the interval that is given with them, and the best of few approaches is not the best "
+      "there is.\n\nSeed {}, {} approaches, objects {}.",
       comparison.seed, comparison.approaches,
       comparison.normalise_size ? "scaled with the reach of the hand" : "in their own size");
 }
@@ -257,11 +255,11 @@ std::string text_of(const CompareResult& result) {
                  cell_table(comparison));
   text += load_rule() +
           "\nhand_epsilon_N: at least so much, and at most 5 % more.\nsqueeze_6_ways_N: least "
-          "grasp force for the weight in the worst of 6 directions, each "
-          "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
-          "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
-          "with_structure: what palm, joint limits and drives that do not run back bear as well, "
-          "whose strength\nno source states. inf: they alone bear it.\n\n";
+          "grasp force for the weight in the worst of 6 directions, each axis of the\nobject both "
+          "ways; `thenar grasp` asks in the present orientation of the object.\n-: nothing closed, "
+          "or not known. 0: nothing is carried; the page and JSON say why.\nwith_structure: what "
+          "palm, joint limits and drives that do not run back carry as well, whose strength\nno "
+          "source states. inf: they alone carry it.\n\n";
   text += most_closures_words(comparison);
   // Explain hands without closures, then hands by themselves.
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));

@@ -235,8 +235,8 @@ std::string explanation(const GraspResult& result) {
   if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.approach_distance > 0)
     return words;
   return words + (result.setting.hand.parts.size() > 1
-                      ? "; it stays where what carries it stands: other angles of the arm may help"
-                      : "; it closed where it stands: `thenar grasp` goes at the object first");
+                      ? "; it stays at its carrier: other angles of the arm may help"
+                      : "; it closed in place: `thenar grasp` approaches the object first");
 }
 
 std::string contact_model_of(const GraspResult& result) {

@@ -64,7 +64,7 @@ std::string load_words(const SupportedLoad& load, const std::string& unit) {
 
 /// Returns a note about what the number of load_words() leaves out; "" if nothing.
 std::string load_note(const SupportedLoad& load, const std::string& unit) {
-  if (!load.active) return "with what structure bears; by efforts alone it is not known";
+  if (!load.active) return "with what structure carries; by efforts alone it is not known";
   if (load.with_structure - *load.active <= kSameLoad * load.with_structure) return "";
   return fmt::format("by efforts and friction; {} {} with rigid structure of unknown strength",
                      shown(load.with_structure), unit);

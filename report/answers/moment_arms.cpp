@@ -75,8 +75,8 @@ std::string reference_words(const MomentArmResult& answer) {
 std::string text_of(const MomentArmResult& answer) {
   std::string text = text_header(answer) + "\n" +
                      fmt::format(
-                         "Moment arms [mm], {}; - where a muscle has no arm.\nLength change "
-                         "[mm] since {}; longer is positive.\n\n",
+                         "Moment arms [mm], {}; - where a muscle has no arm.\nLength change [mm] "
+                         "from the posture {}; lengthening is positive.\n\n",
                          sign_words(answer.rows), reference_words(answer));
   if (answer.single()) return text + aligned(arm_table(answer, answer.points.front()));
   for (std::size_t m = 0; m < answer.muscles.size(); ++m)

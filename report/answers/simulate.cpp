@@ -85,8 +85,8 @@ std::string text_of(const DigitMotionResult& motion) {
       "{:.4g} mJ total energy exchanged\n",
       1e3 * t.work[last], 1e3 * t.dissipated[last], 1e3 * t.balance.error,
       1e3 * t.balance.turned_over);
-  text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
-                      t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
+  text += fmt::format("largest deviation of a muscle excursion from the tendon length: {}\n",
+                      t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "not applicable");
   if (motion.tendons) text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
   if (!t.snaps.empty()) text += titled("Snaps of the net to another rest", snap_table(t));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);

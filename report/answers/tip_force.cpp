@@ -95,8 +95,8 @@ std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
   std::string note;
   if (point.singular)
     note =
-        "singular posture: several forces leave equally little torque unbalanced; the smallest is "
-        "shown";
+        "singular posture: several tip forces minimise the unbalanced torque equally well; the "
+        "smallest is shown";
   if (point.minimum_norm)
     note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "

@@ -109,7 +109,8 @@ Section explain_slips(const NetDescription& net) {
 
 /// Explains the assumptions of a hood that is a net, and of the lower rungs, which it replaces.
 Section explain_tiers(const NetDescription& net) {
-  Section section{"assumes", "Assumptions, by the rung of the hood", {{"rung", "assumes"}}};
+  Section section{
+      "assumes", "Assumptions, by the level of detail of the hood", {{"rung", "assumes"}}};
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet})
     for (const RungWords& words : explain(Fidelity(hood)))
       if (words.ladder == "hood") section.table.add({words.rung, words.assumes});

@@ -235,12 +235,13 @@ Json relaxation_section(const PressResult& pressed) {
   const PressInstant* end = pressed.end_of_motion();
   const double began = end != nullptr ? end->time : 0;
   if (pressed.request.hold > 0) {
-    charts.push_back(with(
-        lines_block("Force while the object stands still", "time since it stopped [s]", "force [N]",
-                    {press_curve(
-                        pressed, pressed.pad.spec.name, {PressPhase::kHold},
-                        [&](const PressInstant& now) { return now.time - began; }, force_of)}),
-        {{"log_x", true}}));
+    charts.push_back(
+        with(lines_block("Force while the object is held still", "time since it stopped [s]",
+                         "force [N]",
+                         {press_curve(
+                             pressed, pressed.pad.spec.name, {PressPhase::kHold},
+                             [&](const PressInstant& now) { return now.time - began; }, force_of)}),
+             {{"log_x", true}}));
   }
   return section("relaxation", "Relaxation", "", Json::array({row_block(std::move(charts))}));
 }

@@ -160,18 +160,12 @@ Json all_cells(const Comparison& comparison) {
   return with(
       table_block(
           "Every hand on every object. Force closure: share of approaches that end in it. Epsilon "
-          "of "
-          "these grasps: by their contacts alone, and within hand limits: with the efforts of "
-          "motors "
-          "or tendons and the hand's rigid structure. Grasp force: least sum of normal forces by "
-          "which "
-          "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of "
-          "the "
-          "object, both ways), and as the object stands, z up, which is what `thenar grasp` "
-          "states. "
-          "Loads after it: supported by efforts and friction alone, and with the rigid structure, "
-          "whose "
-          "strength no source states. " +
+          "of these grasps: by their contacts alone, and within hand limits: with the efforts of "
+          "motors or tendons and the hand's rigid structure. Grasp force: least sum of normal "
+          "forces by which friction alone holds the weight, in the worst of 6 directions of "
+          "gravity (each axis of the object, both ways), and in its present orientation, z up, "
+          "which is what `thenar grasp` states. Loads after it: supported by efforts and friction "
+          "alone, and with the rigid structure, whose strength no source states. " +
               load_rule(),
           columns, rows),
       {{"search", true}});

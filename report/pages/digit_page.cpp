@@ -22,7 +22,7 @@ Json digit_page(const DigitResult& about, const std::string& what, Json sections
           {"opening",
            opening_json(
                fmt::format("What are the {} of the {} of {}?", what, about.digit, about.subject),
-               fmt::format("{} computed with {}.",
+               fmt::format("{} computed. Model: {}.",
                            about.single() ? "One posture was"
                                           : fmt::format("{} postures were", about.outcome.done),
                            about.built),

@@ -43,11 +43,9 @@ void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& ax
                   {curve_over(answer.points, "largest " + words.one, [](const auto& point) {
                     return makes_force(point) ? point.largest->component : kNaN;
                   })}));
-  charts.push_back(curve_chart(axes,
-                               fmt::format("What limits it: more {} for one newton more of each "
-                                           "muscle's F0",
-                                           words.one),
-                               fmt::format("{} of {} per N of F0", words.unit, words.one), prices));
+  charts.push_back(curve_chart(
+      axes, fmt::format("Limiting muscles: gain in {} per additional newton of F0", words.one),
+      fmt::format("{} of {} per N of F0", words.unit, words.one), prices));
   charts.push_back(
       curve_chart(axes, "Activation of each muscle that makes it", "activation [1]", activations));
 }

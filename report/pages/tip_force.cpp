@@ -79,8 +79,8 @@ Json page_of(const TipForceResult& answer) {
   const std::string words = fmt::format(
       "Tensions: {}. The tip is {}; the force is what the tip does to the world.",
       tension_words(answer),
-      answer.request.hold == TipConstraint::kRigid ? "clamped, so that it also bears a moment"
-                                                   : "pinned by a point, which bears no moment");
+      answer.request.hold == TipConstraint::kRigid ? "clamped, so that it also carries a moment"
+                                                   : "pinned by a point, which carries no moment");
   Json blocks = Json::array();
   MeshTable meshes;
   if (const Json scene = tip_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);

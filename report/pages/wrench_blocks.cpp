@@ -118,10 +118,9 @@ Json set_scene(const GraspResult& result, int first, const std::string& caption,
 Json quality_section(const GraspResult& result) {
   return section(
       "quality", "Quality",
-      "Epsilon is the largest wrench that the grasp withstands from whatever direction, in units "
-      "of its own contact forces (the measure of Ferrari and Canny); below zero it is how far the "
-      "grasp is from force closure. The "
-      "true value is certified to lie between the bounds.",
+      "Epsilon is the largest wrench that the grasp resists in every direction, relative to its "
+      "contact forces (the measure of Ferrari and Canny); below zero it is how far the grasp is "
+      "from force closure. The true value is certified to lie between the bounds.",
       Json::array({number_table(result), friction_chart(result)}));
 }
 

@@ -146,7 +146,9 @@ std::vector<SchemaMember> quality_members() {
           object_member(),
           {"tolerance", number_schema("1", 1e-6, 1), "Of epsilon's certified bounds.", false, 1e-3},
           {"norm", word_schema(names_in(kForceNormNames)),
-           "Limits the sum of normal forces, or each of them.", false, "l1"}};
+           "l1: the sum of all normal forces is at most 1; linf: the sum within each patch is at "
+           "most 1.",
+           false, "l1"}};
 }
 
 void add_quality_rows(MethodTable& table) {
@@ -161,10 +163,10 @@ void add_quality_rows(MethodTable& table) {
              "over torque_scale, the object's frame), each in words; volume or null; rank; "
              "centre_of_mass, of the object in the world [m]; torque_scale [m]; warnings",
              "{}", quality});
-  table.add({"grasp.measure", "All measures, as `thenar grasp --json` gives them.",
+  table.add({"grasp.measure", "All measures, as `thenar grasp --json` prints them.",
              object_schema(quality_members()),
-             "as `thenar grasp --json`, units in its keys; its centre_of_mass_m is in the object's "
-             "frame",
+             "the same as `thenar grasp --json`; each key ends in its unit; centre_of_mass_m is in "
+             "the object's frame",
              "{}", measure});
 }
 

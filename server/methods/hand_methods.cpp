@@ -103,7 +103,8 @@ constexpr const char* kClosingReturns =
 }  // namespace
 
 void add_hand_methods(MethodTable& table) {
-  const SchemaMember distance{"distance", number_schema("m", 1e-6, 100), "Longest way.", false, 1};
+  const SchemaMember distance{"distance", number_schema("m", 1e-6, 100), "Largest distance.", false,
+                              1};
   table.add({"hand.get", "All joints of a hand.", object_schema({hand_member()}),
              "hand; joints: name, field (the name in structures of MATLAB, which does for it), "
              "value [rad "
@@ -118,7 +119,7 @@ void add_hand_methods(MethodTable& table) {
             {"joints", map_schema(number_schema("rad or m", -1000, 1000)), "Joint -> value.", true},
             gesture_member()}),
        "joints: all of the hand [rad or m]; limited: those that stopped at a limit; parted: those "
-       "of the hand that do not stand where their drive would take them",
+       "of the hand that are not where their drive would take them",
        R"({"joints": {"opening": 0.03}})", put_joints});
   table.add({"hand.open", "Opens a hand; an arm that carries it stays.",
              object_schema({hand_member()}), "joints: all of the hand [rad or m]", "{}", open});
@@ -126,7 +127,7 @@ void add_hand_methods(MethodTable& table) {
              object_schema({hand_member(), object_member(), distance}),
              "outcome: met, missed or overlaps; body, surface: what met; explanation", "{}",
              approach});
-  table.add({"hand.close", "Closes a hand where it stands.",
+  table.add({"hand.close", "Closes a hand in place.",
              object_schema({hand_member(), object_member()}), kClosingReturns, "{}", close});
   table.add({"hand.grasp", "Approaches and closes, as `thenar grasp` does.",
              object_schema({hand_member(), object_member(), distance}), kClosingReturns, "{}",

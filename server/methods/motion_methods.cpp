@@ -26,7 +26,7 @@ Schema numbers_by_name(const std::string& unit, double lower, double upper) {
 
 SchemaMember step_member() {
   return {"step", number_schema("s", 1e-6, 0.1),
-          "Length of a step; left out: as the scene says, 1 ms of a world."};
+          "Length of a step; default: from the scene, or 1 ms for a world."};
 }
 
 std::vector<SchemaMember> input_members() {
@@ -289,24 +289,24 @@ std::string with_quality(const std::string& of) {
          "(steps in which surfaces may have gone through each other), limits_passed [{joint, "
          "beyond_rad or beyond_m}] " +
          of +
-         "; energy_error (below 0: made of nothing) and energy_turned_over since the start [J], "
-         "energy_balances: whether the error is below 1 % of that; restitution_ignored, the "
-         "largest that steps leave out [1]; " +
+         "; energy_error (below 0: energy was created) and energy_turned_over (total energy "
+         "exchanged) since the start [J], energy_balances: whether the error is below 1 % of that; "
+         "restitution_ignored, the largest that steps neglect [1]; " +
          kMotionWords;
 }
 
 void add_opening_methods(MethodTable& table) {
   // Add the methods that open a simulation or a recording.
   const std::string opened = "name, step [s], duration [s] or null, warnings";
-  table.add({"motion.open", "Opens a scene, or the world as it stands, to be moved step by step.",
+  table.add({"motion.open", "Opens a scene, or the world as it is, to be moved step by step.",
              object_schema({{"scene", text_schema(),
-                             "Name or file of the scene; left out: the world as it stands."},
+                             "Name or file of the scene; default: the world as it is."},
                             step_member(),
                             {"pads", word_schema(pad_rung_names()),
-                             "Rung of all pads of the scene; left out: as the scene says."},
+                             "Level of detail of all pads of the scene; default: from the scene."},
                             {"drives", word_schema(names_in(kWorldDrivesNames)),
-                             "What moves the hands of a world: drives that hold them where they "
-                             "stand (hold, if left out), tendons of human hands, or nothing."}}),
+                             "What moves the hands of a world: drives that hold them in place "
+                             "(hold, the default), tendons of human hands, or nothing."}}),
              opened, R"({"scene": "pinch", "step": 0.002})", open_motion});
   table.add(
       {"motion.record",
@@ -322,11 +322,11 @@ void add_stepping_methods(MethodTable& table) {
   for (const SchemaMember& input : input_members()) members.push_back(input);
   members.push_back(want_member({"joints"}));
   table.add({"motion.step",
-             "Sets inputs, takes steps and tells the state. From an instant that was sought, what "
-             "came behind it is forgotten.",
+             "Sets inputs, takes steps and returns the state. After motion.seek, later instants "
+             "are discarded.",
              object_schema(std::move(members)), with_quality("of this call"),
              R"({"steps": 2, "want": ["joints", "contacts"]})", step_motion});
-  table.add({"motion.state", "Tells the state that is shown.",
+  table.add({"motion.state", "Returns the state that is shown.",
              object_schema({want_member({"joints", "bodies", "contacts", "energy"})}),
              with_quality("since the start"), R"({"want": ["energy"]})", motion_state});
   table.add({"motion.set", "Sets inputs, which stay until they are set again.",
@@ -341,7 +341,7 @@ void add_stepping_methods(MethodTable& table) {
 void add_playing_methods(MethodTable& table) {
   // Playback is executed by the engine.
   table.add(
-      {"motion.play", "Shows the motion, and lets time go on by itself.",
+      {"motion.play", "Shows the motion, and lets time run.",
        object_schema({{"speed", number_schema("1", 1e-3, 100), "Times real time.", false, 1}}),
        kPlayWords, R"({"speed": 0.5})", play_motion});
   table.add({"motion.pause", "Stops time.", object_schema({}), kPlayWords, "{}", pause_motion});

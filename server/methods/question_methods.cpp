@@ -38,13 +38,13 @@ RpcMethod ask_method(const Question& question) {
     if (answer.outcome.status == Status::kStopped) throw Stopped("stopped");
     return reply_of(answer);
   };
-  return {
-      "ask." + question.name,
-      question.about,
-      schema_of(question.params, ParamScope::kAnywhere),
-      fmt::format("as `thenar {} --json`, in SI; the unit stands in each key", question.command),
-      question.example,
-      handler};
+  return {"ask." + question.name,
+          question.about,
+          schema_of(question.params, ParamScope::kAnywhere),
+          fmt::format("the same as `thenar {} --json`, in SI units; each key ends in its unit",
+                      question.command),
+          question.example,
+          handler};
 }
 
 OrderedJson state_json(const JobState& state) {
@@ -70,7 +70,7 @@ OrderedJson start_job(Session& session, const Json& params, const Progress& /*pr
 }
 
 Schema job_schema() {
-  return object_schema({{"job", integer_schema(1, 1e9), "As job.start has given it.", true}});
+  return object_schema({{"job", integer_schema(1, 1e9), "The id that job.start returned.", true}});
 }
 
 int job_param(const Json& params) { return params["job"].get<int>(); }
@@ -81,8 +81,8 @@ void add_question_methods(MethodTable& table) {
   for (const Question& question : questions())
     if (question.pace == QuestionPace::kAtOnce) table.add(ask_method(question));
   table.add({"job.start",
-             "Asks a question beside the session, which goes on meanwhile; it reads files, never "
-             "the live world.",
+             "Runs a question in the background, while the session continues; it reads files, "
+             "never the live world.",
              object_schema({{"question", word_schema(question_names()), "Which.", true},
                             {"request", any_object_schema(),
                              "Its parameters, as of ask.* and of files of requests; `thenar ask "
@@ -91,14 +91,14 @@ void add_question_methods(MethodTable& table) {
              "job: its id", R"({"question": "tip_force", "request": {"subject": "synek2019_middle",
                  "tension_N": {"FDP": 10}}})",
              start_job});
-  table.add({"job.state", "Says how far a job is.", job_schema(),
+  table.add({"job.state", "Reports the progress of a job.", job_schema(),
              "job, question, state (waiting, running, done, stopped, failed), fraction, text (what "
              "it does, or why it failed), seconds",
              R"({"job": 1})", [](Session& session, const Json& params, const Progress&) {
                return state_json(session.jobs().state(job_param(params)));
              }});
-  table.add({"job.list", "Says how far all jobs are.", object_schema({}),
-             "jobs: a list of what job.state gives", "{}",
+  table.add({"job.list", "Reports the progress of all jobs.", object_schema({}),
+             "jobs: a list of what job.state returns", "{}",
              [](Session& session, const Json&, const Progress&) {
                OrderedJson list = OrderedJson::array();
                for (const JobState& state : session.jobs().states())
@@ -106,7 +106,7 @@ void add_question_methods(MethodTable& table) {
                return OrderedJson{{"jobs", list}};
              }});
   table.add({"job.stop", "Asks a job to stop and keep its best so far.", job_schema(),
-             "asked: false where it had ended", R"({"job": 1})",
+             "asked: false if it had already ended", R"({"job": 1})",
              [](Session& session, const Json& params, const Progress&) {
                return OrderedJson{{"asked", session.jobs().stop(job_param(params))}};
              }});

@@ -105,19 +105,19 @@ OrderedJson picture_gltf(Session& session, const Json& /*params*/, const Progres
 }
 
 void add_picture_methods(MethodTable& table) {
-  table.add(
-      {"picture.scene", "Gives what of the picture never moves, as pages are sent it.",
-       object_schema({}),
-       "revision, mode, up, eye and target [m], bodies, joints, lines, arrows, clouds; meshes "
-       "by the id under which GET /mesh/ID has them",
-       "{}", picture_scene});
-  table.add({"picture.instant", "Gives what of the picture moves, at this instant.",
+  table.add({"picture.scene",
+             "Returns the static part of the picture, in the form that pages receive.",
+             object_schema({}),
+             "revision, mode, up, eye and target [m], bodies, joints, lines, arrows, clouds; "
+             "meshes by the id under which GET /mesh/ID returns them",
+             "{}", picture_scene});
+  table.add({"picture.instant", "Returns the moving part of the picture at this instant.",
              object_schema({}),
              "revision, time [s]; bodies with position [m] and rotation [w, x, y, z]; joints with "
              "value [rad or m]; lines with tension [N] and points [m]; contacts with point [m], "
              "normal, force [N] and friction; arrows with from [m] and vector",
              "{}", picture_instant});
-  table.add({"picture.gltf", "Gives the picture at this instant as glTF 2.0, for other programs.",
+  table.add({"picture.gltf", "Returns the picture at this instant as glTF 2.0, for other programs.",
              object_schema({}),
              "gltf: a text to be saved as .gltf; y is up in it, lengths are in m", "{}",
              picture_gltf});
@@ -126,37 +126,38 @@ void add_picture_methods(MethodTable& table) {
 }  // namespace
 
 void add_session_methods(MethodTable& table) {
-  table.add({"session.hello", "Says who is there; where a token is wanted, the first request.",
-             object_schema({{"token", text_schema(200), "As it was printed at the start."}}),
-             "program, version, protocol (1), mode and world (null: none yet)", "{}", hello});
-  table.add({"session.methods", "Lists all methods with what they take.", object_schema({}),
+  table.add(
+      {"session.hello", "Identifies the server; must be the first request if a token is required.",
+       object_schema({{"token", text_schema(200), "The token that was printed at the start."}}),
+       "program, version, protocol (1), mode and world (null: none yet)", "{}", hello});
+  table.add({"session.methods", "Lists all methods with their parameters.", object_schema({}),
              "a list of name, about, params (JSON Schema, units as x-unit), returns, example", "{}",
              methods});
-  table.add(
-      {"session.stop",
-       "Asks the request that runs to stop and keep what it has; it does not wait for others.",
-       object_schema({}), "asked: whether one was running", "{}", stop});
+  table.add({"session.stop",
+             "Asks the running request to stop and keep its results so far; does not wait for "
+             "other requests.",
+             object_schema({}), "asked: whether one was running", "{}", stop});
   table.add({"session.status",
-             "Says what runs; it does not wait for it, unless its own client has asked for that.",
+             "Reports what is running; waits for it only if the same client has requested it.",
              object_schema({}),
-             "runs (a method; null: nothing), seconds since it began, fraction and text as it told "
-             "last, waiting (requests behind it)",
+             "runs (the running method, or null), seconds since it started, fraction and text as "
+             "last reported, and waiting (queued requests)",
              "{}", status});
-  table.add({"session.undo", "Takes back the last edit of the world.", object_schema({}),
+  table.add({"session.undo", "Undoes the last edit of the world.", object_schema({}),
              "did: what was undone", "{}", undo});
-  table.add({"session.redo", "Does again what was undone last.", object_schema({}),
-             "did: what was done again", "{}", redo});
+  table.add({"session.redo", "Redoes what was undone last.", object_schema({}),
+             "did: what was redone", "{}", redo});
   table.add(
       {"session.mode", "Shows the world, the motion, the digit or the fit that is open.",
        object_schema({{"mode", word_schema(names_in(kLiveModeNames)), "Which.", true, nullptr}}),
        "mode", R"({"mode": "world"})", show_mode});
-  table.add({"session.log", "Gives all requests so far, as thenar serve --replay takes them.",
+  table.add({"session.log", "Returns all requests so far, as thenar serve --replay reads them.",
              object_schema({}),
              "log: lines of JSON, each with client, request and the SHA-256 of its reply", "{}",
              log_text});
-  table.add({"catalogue.list", "Lists names that other methods take.",
+  table.add({"catalogue.list", "Lists names that other methods accept.",
              object_schema({{"what", word_schema(catalogue_words()),
-                             "Which kind; all but parts of subjects if left out."},
+                             "Which kind; default: all but parts of subjects."},
                             {"of", text_schema(), "Subject, or robot, whose parts are listed."}}),
              "entries: kind, name, about, source, file; warnings", R"({"what": "worlds"})",
              catalogue});

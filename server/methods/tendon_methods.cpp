@@ -185,14 +185,14 @@ OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress&
 Schema open_params() {
   return object_schema(
       {{"subject", text_schema(), "Name of a subject, or its file.", true},
-       {"digit", text_schema(), "Which digit; left out: the only one."},
+       {"digit", text_schema(), "Which digit; default: the only one."},
        {"hood", word_schema(hood_names()),
-        "How tensions spread over the extensor hood; left out: a net where the digit can carry "
-        "one, else fixed fractions."},
+        "How tensions spread over the extensor hood; default: a net where the digit can have one, "
+        "else fixed fractions."},
        {"path", word_schema(path_names()),
-        "Rung of tendon paths; left out: wrapped where tendons of the subject name surfaces, else "
-        "via."},
-       {"net", text_schema(), "Name or file of the net; left out: extensor_hood."},
+        "Level of detail of tendon paths; default: wrapped where tendons of the subject name "
+        "surfaces, else via."},
+       {"net", text_schema(), "Name or file of the net; default: extensor_hood."},
        {"passive", word_schema(names_in(kPassiveNames)),
         "Whether passive moments of the subject's joints are counted.", false, "on"}});
 }
@@ -238,14 +238,14 @@ void add_tendon_methods(MethodTable& table) {
              set_params(),
              "limited: joints that were asked beyond their limits; and all of tendons.state.",
              R"({"posture": {"PIP3": 0.5}, "tensions": {"EDC": 3}})", set_digit});
-  table.add({"tendons.state", "Says where the digit stands and what its tendons do.",
+  table.add({"tendons.state", "Returns the posture of the digit and the state of its tendons.",
              object_schema({}), kStateWords, "{}",
              [](Session& session, const Json&, const Progress&) {
                return state_json(session.model<LiveDigit>(LiveMode::kTendons));
              }});
   // Add the sweep, which does not change the digit.
   table.add({"tendons.sweep",
-             "Moment arms and lengths of every muscle over one joint, the others as they stand.",
+             "Moment arms and lengths of every muscle over one joint, the others as they are.",
              sweep_params(),
              "joint; x: angles [rad]; arms: muscle -> moment arms about the joint [m]; lengths: "
              "muscle -> longer than with all joints at 0 [m]; null where there is no answer; "

@@ -154,45 +154,46 @@ void add_file_rows(MethodTable& table) {
             {"overwrite", flag_schema(), "true: replaces also a file that is not of this world.",
              false, false}}),
        "file: that was written", R"({"file": "my_world.toml"})", save, MethodWrites::kFiles});
-  table.add({"world.get", "Everything that stands in the world, and where.", object_schema({}),
-             "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints "
-             "[rad or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or "
-             "null; what is mounted stands on its carrier's link",
+  table.add({"world.get", "Everything in the world, and where it is.", object_schema({}),
+             "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints [rad "
+             "or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or null; "
+             "poses of mounted hands are relative to the carrier's link",
              "{}", get});
 }
 
 void add_thing_rows(MethodTable& table) {
   // Paths may be longer than names.
   const Schema path = text_schema(kMaxPathLength), name = text_schema(kMaxNameLength);
-  table.add(
-      {"world.add_object",
-       "Adds an object, or an obstacle that never moves; without a position at the origin, or "
-       "beside what stands there.",
-       object_schema({{"object", path, "Name of an object, or path of a file.", true},
-                      {"dynamic", flag_schema(), "false: an obstacle.", false, true},
-                      position_member(),
-                      rotation_member()}),
-       "name: under which it stands; warnings: what was assumed or mended",
-       R"({"object": "mug", "position": [0.3, 0, 0.1]})", put_object});
-  table.add({"world.add_hand",
-             "Adds a hand, open; without a position at the origin, or beside what stands there.",
-             object_schema({{"hand", path, "Name of a hand, or path of a robot or subject.", true},
+  table.add({"world.add_object",
+             "Adds an object, or an obstacle that never moves; without a position at the origin, "
+             "or next to what is already there.",
+             object_schema({{"object", path, "Name of an object, or path of a file.", true},
+                            {"dynamic", flag_schema(), "false: an obstacle.", false, true},
                             position_member(),
                             rotation_member()}),
-             "name: under which it stands; warnings: what was assumed",
-             R"({"hand": "barrett", "position": [0, 0.5, 0.3]})", put_hand});
+             "name: the name it was given; warnings: what was assumed or mended",
+             R"({"object": "mug", "position": [0.3, 0, 0.1]})", put_object});
+  table.add(
+      {"world.add_hand",
+       "Adds a hand, open; without a position at the origin, or next to what is already there.",
+       object_schema({{"hand", path, "Name of a hand, or path of a robot or subject.", true},
+                      position_member(),
+                      rotation_member()}),
+       "name: the name it was given; warnings: what was assumed",
+       R"({"hand": "barrett", "position": [0, 0.5, 0.3]})", put_hand});
   const Schema file =
       object_schema({{"name", name, "Path within what was dropped.", true},
                      {"data", content_schema(kMaxFileText), "Its bytes in base64.", true}});
   table.add(
       {"world.import",
-       "Adds what was dropped, at the origin or beside what stands there: a robot with its meshes, "
-       "an object, a mesh.",
-       object_schema({{"files", list_schema(file, 1, kMaxFilesOfImport), "All files.", true},
-                      {"as", word_schema(names_in(kDroppedAsNames)), "What it is.", true},
-                      {"units", word_schema({"m", "cm", "mm", "in"}),
-                       "Of the numbers of a mesh; m if left out."}}),
-       "name: under which it stands; warnings: what was assumed, mended or left out",
+       "Adds what was dropped, at the origin or next to what is already there: a robot with its "
+       "meshes, an object, a mesh.",
+       object_schema(
+           {{"files", list_schema(file, 1, kMaxFilesOfImport), "All files.", true},
+            {"as", word_schema(names_in(kDroppedAsNames)), "What it is imported as.", true},
+            {"units", word_schema({"m", "cm", "mm", "in"}),
+             "Unit of the numbers of a mesh; default: m."}}),
+       "name: the name it was given; warnings: what was assumed, mended or omitted",
        R"({"files": [{"name": "wedge.obj", "data": "diAwIDAgMAp2IC4wMiAwIDAKdiAwIC4wMiAwCnYgMCAwIC4wMgpmIDEgMyAyCmYgMSAyIDQKZiAxIDQgMwpmIDIgMyA0Cg=="}], "as": "object"})",
        import});
   table.add({"world.place", "Puts an object, an obstacle or a free hand somewhere else.",

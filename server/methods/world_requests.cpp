@@ -45,12 +45,11 @@ SchemaMember rotation_member() {
 }
 
 SchemaMember hand_member() {
-  return {"hand", text_schema(kMaxNameLength), "Which hand; may be left out where there is one."};
+  return {"hand", text_schema(kMaxNameLength), "Which hand; optional if there is only one."};
 }
 
 SchemaMember object_member() {
-  return {"object", text_schema(kMaxNameLength),
-          "Which object; may be left out where there is one."};
+  return {"object", text_schema(kMaxNameLength), "Which object; optional if there is only one."};
 }
 
 SchemaMember gesture_member() {

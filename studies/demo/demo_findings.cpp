@@ -127,7 +127,7 @@ Finding population_finding(const PopulationStudy& study) {
            "alone.",
            fmt::format("The relative error of a finger left out is {}; of the bonobo's {}. The "
                        "subject from which the population starts has seen all of them, so that "
-                       "these are no errors of unseen hands.",
+                       "these are not errors of unseen hands.",
                        fmt::join(left_out, " and "), fmt::join(unseen, " and "))},
           fmt::format("Population: a finger left out is predicted with a relative error of {}, a "
                       "bonobo's with {}.",

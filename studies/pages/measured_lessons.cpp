@@ -232,7 +232,7 @@ std::string measurements_words(const MeasuredLessons& of) {
   return fmt::format(
              "Two kinds of numbers are published. [Towles2004], of seven cadavers: in key pinch "
              "{}. No sd was published; {:.1f} N of each component are ASSUMED: FPL's direction in "
-             "eleven other thumbs was 66 (46) degrees [Towles2008], the bracket taken for the sd "
+             "eleven other thumbs was 66 (46) degrees [Towles2008], the bracket treated as the sd "
              "between thumbs, and 46 degrees over the root of seven are 17, which across the force "
              "are 0.51 N. Neither the hold of the tip nor the angles were reported: pinned, in the "
              "key pinch of the made-up data.\n\n",
@@ -339,8 +339,8 @@ std::string beside_words(const MeasuredLessons& of) {
     const KeptShares kept = kept_shares(posterior, both);
     words = fmt::format(
         "Beside the made-up data they leave {:.0f} to {:.0f} % of what those had left ({:.0f} % in "
-        "the rms{}); a ratio above 1 is no error, as numbers that disagree with a posterior may "
-        "widen it.",
+        "the rms{}); a ratio above 1 is not an error, as numbers that disagree with a posterior "
+        "may widen it.",
         100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both));
   } else {
     words = fmt::format("What they teach beside the made-up data is not told: {}.", both.message);

@@ -17,8 +17,8 @@ const char* const kTypesIntroduction =
     "with the reported anatomy. Each draw is of one of four types: by the order of the MCP axes "
     "along the metacarpal, and by the side of the thumb to which a common normal of two successive "
     "axes points. The abstract does not say which normal that is; the one used here is named in "
-    "the table, and the shares of all others are below it. Sds that are marked as assumed are "
-    "nobody's measurements: the shares of the types are no better than these.";
+    "the table, and the shares of all others are below it. Sds that are marked as assumed were not "
+    "measured: the shares of the types are no better than these.";
 
 Json distribution_table(const DigitVariability& variability) {
   // Keep what was assumed beside what was published.

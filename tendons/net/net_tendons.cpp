@@ -43,7 +43,7 @@ std::string overstrained(const Net& net, const NetEquilibrium& rest) {
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0) pull += rest.tension[b];
   return fmt::format(
-      "net '{}' is balanced only by bands that bear more than tissue can: '{}' has {:.3g} N under "
+      "net '{}' is balanced only by bands that carry more than tissue can: '{}' has {:.3g} N under "
       "pulls of {:.3g} N, and a strain of {:.2g} %",
       net.name, band.name, rest.tension[worst], pull, 100 * (rest.length[worst] / band.slack - 1));
 }

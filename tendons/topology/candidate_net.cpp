@@ -47,7 +47,7 @@ void check_candidates(const CandidateNet& candidate) {
             "net {} has no candidate band {}", net.name, c.band);
     const NetBand& band = net.bands[c.band];
     require(band.muscle < 0, "candidate {} is the band of a muscle", band.name);
-    require(!seen[c.band], "candidate {} stands twice", band.name);
+    require(!seen[c.band], "candidate {} appears twice", band.name);
     seen[c.band] = true;
     require(c.min_EA > 0 && c.min_EA <= band.EA && band.EA <= c.max_EA && std::isfinite(c.max_EA),
             "candidate {}: wanted 0 < least <= EA <= most, got {} {} {} N", band.name, c.min_EA,

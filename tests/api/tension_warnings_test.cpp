@@ -39,15 +39,16 @@ TEST(Overload, IsToldByEveryQuestionThatTakesTensions) {
 TEST(ReversalWarnings, NameExtensorsThatFlex) {
   const DigitCase bent = build_digit(middle_finger(80), Hood::kFractions);
   const DigitCase straight = build_digit(middle_finger(0), Hood::kFractions);
-  EXPECT_TRUE(tells(bent.warnings, "wrong sign here: EDC3 at MCP3_FE"));
-  EXPECT_FALSE(tells(straight.warnings, "wrong sign"));
+  EXPECT_TRUE(tells(bent.warnings, "unexpected sign here: EDC3 at MCP3_FE"));
+  EXPECT_FALSE(tells(straight.warnings, "unexpected sign"));
 }
 
 TEST(ReversalWarnings, CountThePosturesOfAGrid) {
   DigitRequest request = middle_finger(0);
   request.vary = {{"MCP3_FE", 0, 80, 40}};
-  EXPECT_TRUE(tells(build_digit(request, Hood::kFractions).warnings,
-                    "wrong sign at 1 of 3 postures, first at MCP3_FE=80 deg: EDC3 at MCP3_FE"));
+  EXPECT_TRUE(
+      tells(build_digit(request, Hood::kFractions).warnings,
+            "unexpected sign at 1 of 3 postures, first at MCP3_FE=80 deg: EDC3 at MCP3_FE"));
 }
 
 }  // namespace

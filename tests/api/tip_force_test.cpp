@@ -91,7 +91,7 @@ TEST(AskTipForce, RefusesATensionThatNoTendonBears) {
   TipForceRequest request = flexed_middle_finger();
   request.tension["FDP"] = 1e6;
   EXPECT_EQ(message_of([&] { (void)compute_tip_force(request); }),
-            "wanted a tension of 'FDP' up to 10000 N, got 1000000 N: no tendon bears it");
+            "wanted a tension of 'FDP' up to 10000 N, got 1000000 N: no tendon withstands it");
 }
 
 TEST(AskTipForce, RefusesAHoldOfAMap) {

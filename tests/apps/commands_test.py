@@ -863,7 +863,7 @@ class WrongKinds(unittest.TestCase):
             for words, wanted in (
                     (("grasp", urdf), "is a robot, wanted a world"),
                     (("grasp", urdf), "docs/tutorials/own_gripper.md"),
-                    (("grasp", mesh), "is a mesh, wanted a world; ask: thenar import"),
+                    (("grasp", mesh), "is a mesh, wanted a world; try: thenar import"),
                     (("pose", mug), "is an object, wanted a subject or a robot"),
                     (("tip-force", jaw, "--tension", "FDP=1"), "is a robot, wanted a subject"),
                     (("fit", MIDDLE, "--subject", MIDDLE), "is a subject, wanted an experiment"),
@@ -1005,7 +1005,7 @@ class Complaints(unittest.TestCase):
              "digit 'index' of subject 'valero_cuevas_index' has no tip map 'JinvTR'; there are "
              "JinvT_R, fvc_hentz_2002, cadaver_hand4"),
             (("feasible-force", INDEX_MAPS, "--posture", "PIP2=3"),
-             "tip map 'JinvT_R' stands for one posture of its own: "
+             "tip map 'JinvT_R' is for one posture of its own: "
              "it takes no posture, frozen joints, swept joints or paths"),
             (("feasible-force", WHOLE, "--digit", "ring", "--direction", 0, 0, 0),
              None),

@@ -122,7 +122,7 @@ class ImportedHands(Files):
                 for contact in told["contacts"]:
                     self.assertEqual(contact["friction"], 0.4)  # plastic on wood
                 warnings = " ".join(told["warnings"])
-                for words in ["plastic is taken for palm", "no digits are stated",
+                for words in ["plastic is assumed for palm", "no digits are stated",
                               "along [0.000, 0.000, 1.000] from [0.0000, 0.0000, 0.0",
                               "no closing is stated"]:
                     self.assertIn(words, warnings)
@@ -243,7 +243,7 @@ class PosedRobots(Files):
         path = self.path("jaws.urdf", JAWS_URDF)
         self.assertIn("no degree of freedom or moving joint 'lefd slide'", self.pose(path, "--posture",
                                                                                   "lefd slide=2", code=1))
-        self.assertIn("cannot stand at", self.pose(path, "--posture", "left slide=2", "right slide=3",
+        self.assertIn("cannot be at", self.pose(path, "--posture", "left slide=2", "right slide=3",
                                                    code=1))
 
 

@@ -200,7 +200,7 @@ class Refusals(Files):
         return result.stderr
 
     def test_of_numbers_and_names(self):
-        self.assertIn("wanted one of a force and a depth, got none", self.refused())
+        self.assertIn("wanted a force or a depth, got none", self.refused())
         self.assertIn("got both", self.refused("--force", 1, "--depth", 1))
         self.assertIn("wanted a force above 0 N", self.refused("--force", -1))
         self.assertIn("wanted a number [mm], got 'nan'", self.refused("--depth", "nan"))

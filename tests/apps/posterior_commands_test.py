@@ -274,7 +274,7 @@ class Samplers(WithFolder):
         result = run(*self.fit("--draws", 10, "--warm-up", 10))
         self.assertEqual(result.returncode, 1)
         self.assertTrue(result.stdout.lstrip("!").startswith("\n!! NOT CONVERGED"))
-        self.assertIn("--draws 40, with which the same command goes on", result.stderr)
+        self.assertIn("--draws 40, with which the same command continues", result.stderr)
         few = draws(self.output)
         self.assertEqual(few.shape, (4, 10, 8))
         run(*self.fit("--draws", 40, "--warm-up", 10))
@@ -345,7 +345,7 @@ class Interruption(WithFolder):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             returned, message = self.stopped_by(number)
             self.assertEqual(returned, code, message)
-            self.assertIn("the same command goes on", message)
+            self.assertIn("the same command continues", message)
             so_far = draws(self.output)
             self.assertTrue(0 < so_far.shape[1] < 400, so_far.shape)
             self.assertTrue((so_far == wanted[:, :so_far.shape[1]]).all())

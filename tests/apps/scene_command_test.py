@@ -433,7 +433,7 @@ class Refusals(Files):
         text = (SCENES / "wine_glass.toml").read_text()
         result = run(self.path("skin.toml", text.replace("[[hand]]", '[[hand]]\nskin = "capsules"')))
         self.assertEqual(result.returncode, 1, result.stdout)
-        self.assertRegex(result.stderr, r"skin\.toml:\d+: 'barrett' is no human hand")
+        self.assertRegex(result.stderr, r"skin\.toml:\d+: 'barrett' is not a human hand")
 
     def test_names_that_nobody_has_are_refused(self):
         self.assertIn("did you mean 'pinch'", self.complaint("pinc"))

@@ -20,6 +20,17 @@ TEST(NearestName, IsSilentWhereNothingIsAlike) {
   EXPECT_EQ(did_you_mean("FPD", {"EDC"}), "");
 }
 
+// PIP2 and DIP2 are nearer by letters.
+TEST(NearestName, PrefersNamesThatBeginWithTheTypedOne) {
+  EXPECT_EQ(nearest_name("MCP2", {"PIP2", "MCP2_FE", "MCP2_AA", "DIP2"}), "MCP2_FE");
+  EXPECT_EQ(nearest_name("tip", {"tip_force_axes", "tap", "tip_force"}), "tip_force");
+}
+
+TEST(NearestName, TakesNoSingleLetterForABeginning) {
+  EXPECT_EQ(nearest_name("", {"MCP2_FE"}), "");
+  EXPECT_EQ(nearest_name("M", {"MCP2_FE"}), "");
+}
+
 TEST(NearestName, ListsNames) {
   EXPECT_EQ(listed({"a", "b"}), "a, b");
   EXPECT_EQ(listed({}), "none");

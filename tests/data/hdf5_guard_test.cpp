@@ -276,7 +276,7 @@ TEST_F(CraftedInference, DimensionsBelongToTheGroup) {
               const double values[] = {1, 2, 3};
               nc_put_var_double(group, x, values);
             }),
-            "'x' lies along 'outer', which is no dimension of its group");
+            "'x' lies along 'outer', which is not a dimension of its group");
 }
 
 TEST_F(CraftedInference, ArraysBeyondTheFileAreRefused) {

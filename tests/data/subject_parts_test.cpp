@@ -127,7 +127,7 @@ TEST(SubjectErrors, JointsOutOfOrder) {
       "s.toml:14: joint 'MCP2' moves the base 'MC2'");
   EXPECT_EQ(subject_refusal("parent = \"MC2\"", "parent = \"PP2\""),
             "s.toml:13: joint 'MCP2' hangs on segment 'PP2', which no earlier joint moves: joints "
-            "stand in order from the base 'MC2'");
+            "must be in order from the base 'MC2'");
 }
 
 TEST(SubjectErrors, SegmentMovedTwice) {

@@ -73,7 +73,7 @@ TEST(SubjectPassive, IsLeftOutOnRequest) {
   EXPECT_TRUE(has_passive(with_passive(subject, PassiveMoments::kOn).joints[0]));
   EXPECT_FALSE(has_passive(with_passive(subject, PassiveMoments::kOff).joints[0]));
   EXPECT_EQ(message_of([] { (void)passive_named("of"); }),
-            "no switch of passive moments 'of', did you mean 'on'? there are on, off");
+            "no switch of passive moments 'of', did you mean 'off'? there are on, off");
 }
 
 }  // namespace

@@ -100,8 +100,9 @@ TEST(OutsideScale, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(refusal("[outside]\nlength_mm = {PP3 = 45}\n"),
             "experiment 'planar_forces': the digit has no segment 'PP3'");
-  EXPECT_EQ(refusal("[outside]\nlength_mm = {MC2 = 45}\n"),
-            "experiment 'planar_forces': 'MC2' is no bone from a joint of this digit to the next");
+  EXPECT_EQ(
+      refusal("[outside]\nlength_mm = {MC2 = 45}\n"),
+      "experiment 'planar_forces': 'MC2' is not a bone from a joint of this digit to the next");
   EXPECT_EQ(refusal("[outside]\nlength_mm = {MP2 = 2.5}\n"),
             "experiment 'planar_forces': MP2 of 2.5 mm is 0.1 times that of the subject, 25 mm; "
             "wanted 0.5 to 2 times");

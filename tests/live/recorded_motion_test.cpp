@@ -194,7 +194,7 @@ TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
   EXPECT_THAT(trouble_with(set_number("contact_mode", 0, 0.5)), HasSubstr("'contact_mode'"));
   EXPECT_THAT(trouble_with(set_number("contact_instant", 0, 1e300)),
               HasSubstr("'contact_instant'"));
-  EXPECT_THAT(trouble_with(set_number("body_position", 0, 1)), HasSubstr("stands elsewhere now"));
+  EXPECT_THAT(trouble_with(set_number("body_position", 0, 1)), HasSubstr("is elsewhere now"));
   for (const char* key : {"time", "position", "speed", "energy", "body_position", "contact_force"})
     EXPECT_NE(trouble_with([&](ResultFile& file) { file.arrays.erase(key); }), "nothing was thrown")
         << key;

@@ -88,7 +88,7 @@ TEST(PadConstants, RefusesWhatAPadHasNot) {
   EXPECT_EQ(message_of([&] {
               (void)value_of(pad, {PadConstantKind::kThickness, 0});
             }),
-            "'pulp' is no layer of skin, and has no thickness");
+            "'pulp' is not a layer of skin, and has no thickness");
   EXPECT_EQ(message_of([] { (void)coordinate_of({PadConstantKind::kPoissonRatio}, 0.5); }),
             "a constant of 0.5 cannot be fitted by its logarithm");
 }

@@ -193,7 +193,7 @@ TEST(PadFit, NonsenseIsRefused) {
   const auto message = [&] { return message_of([&] { (void)fit_pad(problem); }); };
   EXPECT_EQ(message(), "no constant of the pad is free");
   problem.constants = {{{PadConstantKind::kThickness, 0, 0}}};
-  EXPECT_EQ(message(), "'pulp' is no layer of skin, and has no thickness");
+  EXPECT_EQ(message(), "'pulp' is not a layer of skin, and has no thickness");
   problem.constants = {{{PadConstantKind::kShare, 0, 2}}};
   EXPECT_EQ(message(), "'pulp' has 0 terms of relaxation, wanted number 3");
   problem.constants = {{modulus_of(0)}};

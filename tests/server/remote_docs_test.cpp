@@ -26,7 +26,7 @@ std::string document_of(const SchemaMember& member, const std::string& returns =
 
 TEST(RemoteDocs, SaysTypesUnitsAndRanges) {
   EXPECT_THAT(document_of({"speed", number_schema("m/s", 0, 2), "How fast.", true}),
-              HasSubstr("| `speed` | number [m/s], 0 to 2 | must be there | How fast. |"));
+              HasSubstr("| `speed` | number [m/s], 0 to 2 | required | How fast. |"));
   EXPECT_THAT(document_of({"count", integer_schema(1, 9), "How often.", false, 3}),
               HasSubstr("| `count` | whole number, 1 to 9 | `3` | How often. |"));
   EXPECT_THAT(document_of({"load", number_schema("N", 0), "How much."}),

@@ -84,7 +84,7 @@ class Check {
       if (other == nodes_.end()) return;
       const auto [known, is_new] = placed_.emplace(other->first, -1);
       if (!is_new && known->second < 0)
-        fail_at(node.offset_debug(), fmt::format("node '{}' stands in itself", other->first));
+        fail_at(node.offset_debug(), fmt::format("node '{}' contains itself", other->first));
       if (depth > kMaxNodeDepth)
         fail_at(node.offset_debug(), fmt::format("nodes stand more than {} deep", kMaxNodeDepth));
       // Its count is reused wherever it is instantiated again.

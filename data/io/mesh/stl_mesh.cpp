@@ -110,7 +110,7 @@ class Words {
 
 TriangleSoup from_text(const std::string& text, const std::string& path) {
   Words words(text, path);
-  if (words.next() != "solid") words.fail("this is no STL, neither in bytes nor as text");
+  if (words.next() != "solid") words.fail("this is not STL, neither in bytes nor as text");
   words.skip_name();
   TriangleSoup soup;
   bool open = true;

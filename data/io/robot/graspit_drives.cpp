@@ -103,9 +103,10 @@ GraspitDrive GraspitDrives::drive(const pugi::xml_node& joint, const char* name)
       file_.fail(node, fmt::format("'{}' names degree of freedom {} of {}", file_.text(node),
                                    drive.dof, robot_.dofs.size()));
     if (drive.ignored)
-      unread_.note(node, fmt::format("'{}' has an offset without '+': read as it stands, though "
-                                     "GraspIt! itself takes 0",
-                                     file_.text(node)));
+      unread_.note(
+          node, fmt::format(
+                    "'{}' has an offset without '+': read as it is, though GraspIt! itself takes 0",
+                    file_.text(node)));
     return drive;
   } catch (const InputError& error) {
     file_.fail(node, error.what());
@@ -169,7 +170,7 @@ void GraspitDrives::settle() {
     // Negative efforts are unknown.
     if (dof.max_effort < 0) {
       robot_.warnings.push_back(
-          fmt::format("maxEffort of '{}' is {:.6g}: taken for unknown", dof.name, dof.max_effort));
+          fmt::format("maxEffort of '{}' is {:.6g}: treated as unknown", dof.name, dof.max_effort));
       dof.max_effort = 0;
     }
     // The range is the intersection of the joints' ranges.

@@ -39,8 +39,9 @@ std::vector<Pose<double>> link_poses(const RobotSpec& robot, const DofValues& do
   if (!robot.links.empty()) placed[robot.links.front().name] = {};
   for (const RobotJoint& joint : robot.joints) {
     const auto parent = placed.find(joint.parent);
-    require(parent != placed.end(), "joint '{}' stands before the one that carries its parent '{}'",
-            joint.name, joint.parent);
+    require(parent != placed.end(),
+            "joint '{}' appears before the one that carries its parent '{}'", joint.name,
+            joint.parent);
     placed[joint.child] =
         parent->second * joint.X_PJ * joint_motion(joint, joint_value(joint, dofs)) * joint.X_JC;
   }

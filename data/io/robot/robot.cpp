@@ -217,7 +217,7 @@ void check_tree(const RobotSpec& robot) {
     require(joint.child != base, "the first link, '{}', is the base, and joint '{}' moves it", base,
             joint.name);
     require(reached.count(joint.parent) == 1,
-            "joint '{}' stands before the joint that carries its parent '{}'", joint.name,
+            "joint '{}' appears before the joint that carries its parent '{}'", joint.name,
             joint.parent);
     reached.insert(joint.child);
   }
@@ -250,7 +250,8 @@ void check_drives(const RobotSpec& robot) {
       if (dof.name == joint.dof && !joint.curve.empty()) check_curve(joint, dof);
   for (const RobotJoint& joint : robot.joints)
     require(joint.dof.empty() || find_named(robot.dofs, joint.dof) != nullptr,
-            "joint '{}' is driven by '{}', which is no degree of freedom", joint.name, joint.dof);
+            "joint '{}' is driven by '{}', which is not a degree of freedom", joint.name,
+            joint.dof);
 }
 
 }  // namespace

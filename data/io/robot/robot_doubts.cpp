@@ -153,7 +153,7 @@ void doubt_placeholders(RobotSpec& robot) {
       least = std::min(least, dof.max_effort);
     }
     robot.warnings.push_back(fmt::format(
-        "efforts of {:.4g} {}in all joints are taken for placeholders: they are unknown", least,
+        "efforts of {:.4g} {}in all joints are treated as placeholders: they are unknown", least,
         equal ? "" : "and more "));
     return;
   }
@@ -167,10 +167,10 @@ void doubt_placeholders(RobotSpec& robot) {
       names.push_back(dof->name);
     }
     if (!names.empty())
-      robot.warnings.push_back(fmt::format(
-          "efforts of {:.4g} at {}, far above all others, are taken for placeholders: they are "
-          "unknown",
-          effort, quoted_list("joint", names)));
+      robot.warnings.push_back(
+          fmt::format("efforts of {:.4g} at {}, far above all others, are treated as placeholders: "
+                      "they are unknown",
+                      effort, quoted_list("joint", names)));
   }
 }
 

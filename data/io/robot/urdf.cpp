@@ -200,7 +200,7 @@ class UrdfTranslation {
     if (!joint.limits) return;
     dof.max_effort = joint.limits->effort;
     if (!(dof.max_effort >= 0)) {
-      robot_.warnings.push_back(fmt::format("effort of joint '{}' is {:.6g}: taken for unknown",
+      robot_.warnings.push_back(fmt::format("effort of joint '{}' is {:.6g}: treated as unknown",
                                             dof.name, dof.max_effort));
       dof.max_effort = 0;
     }

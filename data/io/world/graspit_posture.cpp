@@ -73,10 +73,9 @@ class PostureReader {
     // Values a rounding beyond the limits are put on them without a warning.
     const double kept = std::clamp(value, lower, upper);
     if (std::abs(kept - value) > kFileRounding)
-      posture_.warnings.push_back(
-          fmt::format("'{}' stands at {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m): put "
-                      "on them",
-                      name, value, lower, upper));
+      posture_.warnings.push_back(fmt::format(
+          "'{}' is at {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m): put on them", name,
+          value, lower, upper));
     posture_.values[name] = kept;
   }
 

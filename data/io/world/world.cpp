@@ -74,8 +74,8 @@ void check_names(TomlTable& top, const WorldSpec& world) {
   }
   for (const PlacedHand& hand : world.hands)
     if (!hand.carrier.empty() && (hand.carrier == hand.name || !contains(hands, hand.carrier)))
-      top.fail(fmt::format("'{}' is carried by '{}', which is no other hand or arm here", hand.name,
-                           hand.carrier));
+      top.fail(fmt::format("'{}' is carried by '{}', which is not another hand or arm here",
+                           hand.name, hand.carrier));
 }
 
 }  // namespace

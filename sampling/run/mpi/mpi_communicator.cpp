@@ -36,7 +36,7 @@ class MpiRanks : public Communicator {
     int provided = 0;
     require(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) == MPI_SUCCESS &&
                 provided >= MPI_THREAD_FUNNELED,
-            "MPI could not start, or bears no threads");
+            "MPI could not start, or supports no threads");
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
   }

@@ -116,7 +116,7 @@ TEST_F(Recorded, RefusesWhatIsNoCommand) {
   other.run = {{"rerun", "a.json"}, path(""), "", ""};
   const auto words = [&] { require_repeatable(other, {"pose", "rerun"}); };
   EXPECT_EQ(message_of(words),
-            "'a.json' records 'thenar rerun a.json', which is no command to run again");
+            "'a.json' records 'thenar rerun a.json', which is not a command to run again");
   const auto of_servers = [&] { require_repeatable(other, {"pose", "view", "serve"}); };
   for (const char* name : {"--version", "view", "serve"}) {
     other.run.arguments = {name, "--port", "0"};

@@ -33,7 +33,7 @@ TEST(ReadThing, HoldsWhatTheFileIs) {
 
 TEST(ReadThing, NamesTheCommandOfOtherKinds) {
   const std::string path = named_thing("two_soft_fingers", kData);
-  EXPECT_NE(message_of([&] { (void)read_thing(path); }).find("ask: thenar quality " + path),
+  EXPECT_NE(message_of([&] { (void)read_thing(path); }).find("try: thenar quality " + path),
             std::string::npos);
 }
 

@@ -308,8 +308,8 @@ TEST(PressPad, RefusesNonsense) {
     return message_of([&] { (void)press_pad(request); });
   };
   using R = PressRequest;
-  EXPECT_EQ(refusal([](R& r) { r.force = 1; }), "wanted one of a force and a depth, got both");
-  EXPECT_EQ(refusal([](R& r) { r.depth.reset(); }), "wanted one of a force and a depth, got none");
+  EXPECT_EQ(refusal([](R& r) { r.force = 1; }), "wanted a force or a depth, got both");
+  EXPECT_EQ(refusal([](R& r) { r.depth.reset(); }), "wanted a force or a depth, got none");
   EXPECT_THAT(refusal([](R& r) { r.depth = NAN; }), HasSubstr("wanted a depth above 0 mm"));
   EXPECT_THAT(refusal([](R& r) { r.depth = -1e-3; }), HasSubstr("wanted a depth above 0 mm"));
   EXPECT_THAT(refusal([](R& r) {

@@ -101,7 +101,7 @@ inline std::vector<HostileFile> hostile_meshes() {
       // Cycles and products.
       {"cycle.gltf", with(cube_gltf(), R"({"mesh": 0,)", R"({"children": [0], "mesh": 0,)"), ":"},
       {"cycle.dae", with(cube_collada(), "<node>", "<node id='n'><instance_node url='#n'/>"),
-       "stands in itself"},
+       "contains itself"},
       {"tenfold.dae", tenfold_collada(9), "stand for more than"},
       {"words.stl", "solid " + times("facet ", 100'000) + "\n", "cut off"},
       {"white.stl", "solid facet" + times(" ", 1'000'000) + "\n", "cut off"},

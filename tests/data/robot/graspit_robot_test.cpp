@@ -139,7 +139,7 @@ TEST_F(GraspitRobot, TakesNegativeEffortsForUnknown) {
   EXPECT_FALSE(robot.dofs[1].nominal_effort);
   EXPECT_NEAR(robot.dofs[0].max_effort, 5, kGraspitRounding);
   EXPECT_THAT(robot.warnings, Contains(AllOf(HasSubstr("maxEffort of 'd1' is -1"),
-                                             HasSubstr("taken for unknown"))));
+                                             HasSubstr("treated as unknown"))));
 }
 
 // What it is then is guessed of the closing hand; a place without a way says nothing either.

@@ -104,7 +104,7 @@ TEST_F(RobotDoubts, AreOfAnEffortThatOneJointLacks) {
 TEST_F(RobotDoubts, AreOfEffortsThatStandForUnknownOnes) {
   for (const char* placeholders : {"1000 1000", "100 100", "100 250"}) {
     const RobotSpec hand = robot("revolute", "1.5", placeholders);
-    EXPECT_THAT(hand.warnings, Contains(HasSubstr("taken for placeholders"))) << placeholders;
+    EXPECT_THAT(hand.warnings, Contains(HasSubstr("treated as placeholders"))) << placeholders;
     EXPECT_TRUE(hand.dofs[0].nominal_effort && hand.dofs[1].nominal_effort) << placeholders;
   }
   for (const char* stated : {"1000 2.5", "103 117", "99 99"}) {
@@ -127,7 +127,7 @@ TEST_F(RobotDoubts, AreOfPlaceholdersBesideTrueEfforts) {
   hand.dofs[3].max_effort = 3;
   doubt_efforts(hand);
   EXPECT_THAT(hand.warnings, Contains(HasSubstr("efforts of 1000 at joints 'left_j', 'left_j', far "
-                                                "above all others, are taken for placeholders")));
+                                                "above all others, are treated as placeholders")));
   EXPECT_TRUE(hand.dofs[0].nominal_effort && hand.dofs[2].nominal_effort);
   EXPECT_FALSE(hand.dofs[1].nominal_effort || hand.dofs[3].nominal_effort);
   RobotSpec arm = robot("revolute", "1.5", "330 56");

@@ -100,7 +100,7 @@ TEST(CheckRobot, NamesUnknownLinksAndMotors) {
   EXPECT_EQ(complaint([](RobotSpec& r) { r.joints[2].child = "claw"; }),
             "joint 'J3' names link 'claw', which there is not");
   EXPECT_EQ(complaint([](RobotSpec& r) { r.joints[2].dof = "grip"; }),
-            "joint 'J3' is driven by 'grip', which is no degree of freedom");
+            "joint 'J3' is driven by 'grip', which is not a degree of freedom");
 }
 
 TEST(CheckRobot, NamesLinksWithTwoParentsOrNone) {
@@ -108,7 +108,7 @@ TEST(CheckRobot, NamesLinksWithTwoParentsOrNone) {
             "link 'distal' has two parents: 'proximal' and 'base'");
   EXPECT_EQ(complaint([](RobotSpec& r) { r.joints.pop_back(); }), "link 'tip' hangs on no joint");
   EXPECT_EQ(complaint([](RobotSpec& r) { std::swap(r.joints[0], r.joints[1]); }),
-            "joint 'J2' stands before the joint that carries its parent 'proximal'");
+            "joint 'J2' appears before the joint that carries its parent 'proximal'");
 }
 
 TEST(CheckRobot, NamesNumbersThatCannotBe) {

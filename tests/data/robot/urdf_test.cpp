@@ -348,7 +348,7 @@ TEST_F(Urdf, TakesNegativeEffortsForUnknown) {
       read(two_links("<joint name='j' type='revolute'>" + std::string(kEnds) +
                      "<limit lower='0' upper='1' effort='-1' velocity='1'/></joint>"));
   EXPECT_EQ(robot.dofs[0].max_effort, 0);
-  EXPECT_THAT(robot.warnings, Contains(HasSubstr("effort of joint 'j' is -1: taken for unknown")));
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("effort of joint 'j' is -1: treated as unknown")));
 }
 
 TEST_F(Urdf, TakesCollisionShapesAndVisualOnesWhereThereAreNone) {

@@ -199,7 +199,7 @@ TEST(ScenePads, LieOnTheirFingertip) {
     }
   EXPECT_EQ(fingertip_pad_place(hand, "DP2", pad, 0.7).scale, 0.7);
   EXPECT_EQ(message_of([&] { (void)fingertip_pad_place(hand, "PP2", pad, {}); }),
-            "a pad needs a 'position': 'PP2' is no fingertip");
+            "a pad needs a 'position': 'PP2' is not a fingertip");
 }
 
 TEST(ScenePads, TellWhatIsAssumedAndLawsOfAnotherPad) {

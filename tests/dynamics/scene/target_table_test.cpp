@@ -51,7 +51,7 @@ TEST(TargetTable, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(table_complaint("time_s,wrist_mm\n0,1\n"),
             "t.csv:1: wanted a column wrist_deg or wrist_rad, got wrist_mm");
   EXPECT_EQ(table_complaint("time_s,wrist_deg,wrist_rad\n0,1,1\n"),
-            "t.csv:1: target 'wrist' stands in two units");
+            "t.csv:1: target 'wrist' is given in two units");
   EXPECT_THAT(table_complaint("# way\n\ntime_s,wrist_mm\n0,1\n"), StartsWith("t.csv:3: wanted"));
   EXPECT_EQ(table_complaint("time_s,wrist_deg\n0,1\n1e-310,2\n"),
             "t.csv:3: wanted rows of one time, or 1e-09 s apart, got 1e-310 s");

@@ -33,7 +33,7 @@ TEST(GuessHand, NamesBranchesDigitsAndTakesPlastic) {
   EXPECT_EQ(robot.links[1].digit, "finger 1");
   EXPECT_EQ(robot.links[2].digit, "finger 2");
   for (const RobotLink& link : robot.links) EXPECT_EQ(link.material, kDefaultMaterial);
-  EXPECT_THAT(robot.warnings, Contains(HasSubstr("plastic is taken for base, left, right")));
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("plastic is assumed for base, left, right")));
 }
 
 TEST(GuessHand, TakesPadsNamedAfterSoftMaterialsForRubber) {
@@ -42,7 +42,7 @@ TEST(GuessHand, TakesPadsNamedAfterSoftMaterialsForRubber) {
   const RobotSpec found = graspable(robot);
   EXPECT_EQ(found.links[1].material, kDefaultMaterial);
   EXPECT_EQ(found.links[2].material, "rubber");
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("rubber is taken for Right_Silicone_pad")));
+  EXPECT_THAT(found.warnings, Contains(HasSubstr("rubber is assumed for Right_Silicone_pad")));
 }
 
 TEST(GuessHand, ClosesTheWayInWhichTipsMeet) { EXPECT_LT(graspable(bare_jaws()).dofs[0].speed, 0); }

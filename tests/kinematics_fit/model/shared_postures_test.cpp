@@ -91,10 +91,10 @@ TEST(SharedPostures, AreKnownByOnesOwnOrByAllOthers) {
   EXPECT_EQ(with_own_postures(held_at("x", "H03", 0), {a, b, c}).trials[0].posture, "Hook (x)");
   EXPECT_EQ(with_own_postures(held_at("x", "H03", 0), {}).trials[0].posture, "Hook");
   // Both are told.
-  EXPECT_EQ(posture_name_warnings({with_own_postures(held_at("x", "H01", 5), {a, b})}),
-            std::vector<std::string>{
-                "experiment 'x': posture 'Hook' stands more than 2 degrees from that of the same "
-                "name in other experiments: it is taken for another one"});
+  EXPECT_EQ(
+      posture_name_warnings({with_own_postures(held_at("x", "H01", 5), {a, b})}),
+      std::vector<std::string>{"experiment 'x': posture 'Hook' is more than 2 degrees from that of "
+                               "the same name in other experiments: it is treated as another one"});
   EXPECT_EQ(posture_name_warnings({a, b}).size(), 1U);
   EXPECT_TRUE(posture_name_warnings({a, held_at("x", "H03", 1)}).empty());
 
