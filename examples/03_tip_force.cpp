@@ -13,7 +13,7 @@ int main() {
   request.digit.posture.named = {{"MCP2_FE", 30}, {"PIP2", 45}, {"DIP2", 20}};
   request.digit.posture.unit = thenar::PostureUnit::kTyped;
   request.tension = {{"FDP", 10}};
-  // What tendons add to a finger at rest; left out, passive moments of its joints count as well.
+  // Force of the tendons alone. By default the passive joint moments are included.
   request.digit.passive = thenar::PassiveMoments::kOff;
 
   // The force of the tip on the world, along its own directions.

@@ -57,12 +57,13 @@ struct WorldState {
 [[nodiscard]] std::vector<std::string> object_names(const WorldState& state);  // obstacles left out
 [[nodiscard]] std::vector<std::string> body_names(const WorldState& state);
 
-/// Returns the entry of WorldState::hands of a name. @param name  empty: the only hand
-/// @throws InputError with the names of all hands if there is no such hand, or no only one
+/// Returns the index of the named hand in WorldState::hands. @param name  empty: the only hand
+/// @throws InputError with the names of all hands if no hand has this name, or if the name is empty
+///         and there is not exactly one hand
 [[nodiscard]] std::size_t hand_index(const WorldState& state, const std::string& name);
-/// Returns the entry of WorldState::bodies of an object. @param name  empty: the only object
-/// @throws InputError with the names of all objects if there is no such object, or no only one, or
-///         if it is an obstacle
+/// Returns the index of the named object in WorldState::bodies. @param name  empty: the only object
+/// @throws InputError with the names of all objects if no object has this name, if it is an
+///         obstacle, or if the name is empty and there is not exactly one object
 [[nodiscard]] std::size_t object_index(const WorldState& state, const std::string& name);
 
 /// Returns the names of the hands of a list that are mounted on a hand.

@@ -48,13 +48,12 @@ class MovingPad {
   /// state does not change.
   virtual void keep() = 0;
 
-  /// Returns the slope of the object's wrench by an instant motion from the kept pose: moment and
-  /// rotation first, about the pad's origin (6, 6). Sticking parts resist, slipping parts do not.
-  /// The default takes differences of move() over a micrometre, and over an angle that moves a
-  /// lever of 10 mm as far.
-  /// @param onward  signs of these differences, those of the object's motion: parts that slip
-  /// onward
-  ///                stick on the way back (6)
+  /// Returns the derivative of the object's wrench with respect to an instantaneous motion from the
+  /// kept pose: moment and rotation first, about the pad's origin (6, 6). Sticking parts resist,
+  /// slipping parts do not. The default takes differences of move() over a micrometre, and over an
+  /// angle that moves a lever of 10 mm as far.
+  /// @param onward  signs of the differences, chosen along the object's motion, because slipping
+  ///                parts would stick on reversal (6)
   [[nodiscard]] virtual Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward);
 
   /// Returns the elastic energy of the pad at the kept state, as if nothing relaxed [J].
