@@ -208,7 +208,7 @@ TEST_P(EveryHood, ConservesPower) {
     if (with_net != nullptr) {
       E = with_net->rest(q, kTension, pull.nodes).energy;
       for (const NetMuscle& m : with_net->net().muscles) {
-        E += m.to_net * kTension[m.muscle] * path_length(state, m.own);
+        E += m.to_net * kTension[m.muscle] * path_length(state, m.own_path);
         strand[model.pulls[static_cast<std::size_t>(m.muscle)]] -= m.to_net * kTension[m.muscle];
       }
     }

@@ -36,7 +36,7 @@ TEST(TreeModel, LeadsFromBodiesToTheirLinks) {
     if (mechanism.joints[i].kind == JointKind::kWeld) continue;
     const TreeLink& link = model.links[static_cast<std::size_t>(model.bodies[i].link)];
     EXPECT_EQ(link.joint.name, mechanism.joints[i].name);
-    EXPECT_EQ(link.v, model.layout.first_v[i]);
+    EXPECT_EQ(link.first_v, model.layout.first_v[i]);
   }
 }
 

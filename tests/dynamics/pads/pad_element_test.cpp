@@ -510,7 +510,7 @@ TEST(PadElement, RelaxesFromTheBeginningOfAMotionThatFollowsARest) {
   Pressed pressed(power_law(1, 1, kTerms));
   const auto go = [&](double t) {
     pressed.place(t, depth(t), rate(t));
-    (void)pressed.doubt();
+    (void)pressed.step_error();
     pressed.accept_step();
   };
   for (int i = 0; i <= 10; ++i) go(1e-3 * i);
@@ -538,9 +538,9 @@ TEST(PadElement, DoubtsAStepInWhichItsObjectMayHavePassed) {
   EXPECT_LE(pressed.max_step_length() * speed, 0.03 + 2e-4);
   EXPECT_GE(pressed.max_step_length() * speed, 0.5 * 0.03);
   pressed.place(0.01 + 0.1 / speed, 0.07, speed);  // beyond the pad
-  EXPECT_GT(pressed.doubt(), 1);
+  EXPECT_GT(pressed.step_error(), 1);
   pressed.place(0.01 + 0.027 / speed, -0.003, speed);
-  EXPECT_LE(pressed.doubt(), 1);
+  EXPECT_LE(pressed.step_error(), 1);
 }
 
 TEST(PadElement, ThrowsAFastObjectBack) {
