@@ -14,9 +14,9 @@ namespace {
 class TimesAlone final : public RecordedTimeline {
  public:
   explicit TimesAlone(std::vector<double> times) : RecordedTimeline(std::move(times)) {}
+  using RecordedTimeline::interpolated;
   using RecordedTimeline::interpolated_number;
-  using RecordedTimeline::nearest;
-  using RecordedTimeline::straight;
+  using RecordedTimeline::nearest_instant;
 
   [[nodiscard]] const LiveShape& shape() const override { return shape_; }
   [[nodiscard]] LiveInstant instant() const override { return {}; }
@@ -52,8 +52,8 @@ TEST(RecordedTimeline, GoesStraightBetweenInstants) {
   }
   for (double t = 1; t <= 4.5; t += 0.125) {
     (void)motion.seek(t);
-    EXPECT_NEAR(motion.straight(rows)[0], 3 * t - 1, 1e-14) << t;
-    EXPECT_NEAR(motion.straight(rows)[1], -t, 1e-14) << t;
+    EXPECT_NEAR(motion.interpolated(rows)[0], 3 * t - 1, 1e-14) << t;
+    EXPECT_NEAR(motion.interpolated(rows)[1], -t, 1e-14) << t;
     EXPECT_NEAR(motion.interpolated_number([&](std::size_t i) { return 2 * times[i]; }), 2 * t,
                 1e-14);
   }
@@ -65,7 +65,7 @@ TEST(RecordedTimeline, ShowsTheNearestInstant) {
   const std::size_t wanted[] = {0, 0, 1, 1, 2, 2};
   for (std::size_t i = 0; i < 6; ++i) {
     (void)motion.seek(asked[i]);
-    EXPECT_EQ(motion.nearest(), wanted[i]) << asked[i];
+    EXPECT_EQ(motion.nearest_instant(), wanted[i]) << asked[i];
   }
 }
 

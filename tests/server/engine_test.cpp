@@ -271,7 +271,7 @@ TEST(Engine, PlaysNoFasterThanTheClock) {
 TEST(Engine, StopsAMotionThatPlays) {
   MethodTable table;
   const MethodTable small = small_table();
-  for (RpcMethod method : small.all()) {
+  for (RpcMethod method : small.methods()) {
     if (method.name == "motion.step")
       method.handler = [](Session&, const Json&, const Progress& progress) -> OrderedJson {
         while (!progress.stop()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -110,7 +110,7 @@ std::size_t frame_bytes(const LiveInstant& instant) {
 TEST(LiveHand, OfAHumanWithTendonsFitsAFrameOfFourKilobytes) {
   const auto hand = built("human:tendons");
   const LiveInstant instant =
-      instant_of(*hand, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hand->leads.size())));
+      instant_of(*hand, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hand->couplings.size())));
   check_instant(shape_of(*hand), instant);
   EXPECT_LT(frame_bytes(instant), 4096U);
   for (const double tension : instant.tensions) EXPECT_TRUE(std::isnan(tension));
