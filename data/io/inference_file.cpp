@@ -400,7 +400,7 @@ InferenceFile read_inference_image(std::string& bytes, Checksum checksum, const 
 
 InferenceFile read_inference(const std::string& path) {
   const auto lock = lock_hdf5();
-  if (!has_hdf5_start(path)) throw DataError(path, 1, "not a netCDF-4 posterior file");
+  if (!has_hdf5_start(path)) throw DataError(path, 1, "wanted a posterior file (netCDF-4)");
   std::string bytes = read_guarded(path, GuardedKind::kInference);
   // Verify the checksum, try in a copy of the process, then read.
   const Checksum checksum = take_checksum(bytes, path);

@@ -119,7 +119,7 @@ TEST_F(InferenceFileTest, RefusesArraysThatDoNotFit) {
 }
 
 TEST_F(InferenceFileTest, RefusesWhatIsNotOurs) {
-  const std::string none = path("a.nc") + ":1: not a netCDF-4 posterior file";
+  const std::string none = path("a.nc") + ":1: wanted a posterior file (netCDF-4)";
   const auto refusal = [&] {
     return message_of<DataError>([&] { (void)read_inference(path("a.nc")); });
   };
