@@ -179,7 +179,7 @@ TEST(ForceSites, SayWhatTorquesDoNotDecide) {
   const std::vector<std::string> warnings =
       experiment_warnings(digit, plan_experiment(digit, parameters, experiment), experiment);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-    return warning.find("a load cell at PP3 bears 4 loads, but 2 joint angles") !=
+    return warning.find("a load cell at PP3 carries 4 loads, but 2 joint angles") !=
            std::string::npos;
   }));
 }
