@@ -301,11 +301,15 @@ class PreloadLimits {
     // sum s <= sum of active normal forces.
     if (s > s_) append_limit(forces_, sum_of_stops_ - pressed_, 0);
     // sum x of structure + sum s <= active sum + sum a, with a = x - s of joint limits.
-    if (count(SupportKind::kStructure) > 0)
-      append_limit(forces_,
-                   sum_of(SupportKind::kStructure) + 2 * sum_of_stops_ -
-                       sum_of(SupportKind::kJointLimit) - (1 + preload_slack_) * pressed_,
-                   0);
+    if (count(SupportKind::kStructure) == 0) return;
+    // Without anything that presses these x are zero: they exert no wrench.
+    if (pressed_.isZero(0) && count(SupportKind::kJointLimit) == 0)
+      for (const ContactSupport& contact : joint_loads_.contacts)
+        forces_.wrench.middleCols(contact.first, contact.size).setZero();
+    append_limit(forces_,
+                 sum_of(SupportKind::kStructure) + 2 * sum_of_stops_ -
+                     sum_of(SupportKind::kJointLimit) - (1 + preload_slack_) * pressed_,
+                 0);
   }
 
   /// Returns the row of a_i = x_i0 - s_i of contacts at the joint limit of a coordinate, times

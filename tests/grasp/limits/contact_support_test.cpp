@@ -110,6 +110,20 @@ TEST(Pressed, PalmAloneSqueezesNothing) {
   EXPECT_NEAR(load(wedged, 2), 0, kSolvedPress);
 }
 
+// A jaw alone squeezes nothing. It bears what pushes its face, up to its motor's effort, although
+// rounding turns its normal by 1e-8 from the push.
+TEST(Pressed, LoneJawBearsAlongItsNormalAsTurnedByRounding) {
+  for (const double turn : {0.0, 1e-8, -1e-8}) {
+    const WrenchSet touched = wrench_set(
+        {{{-kRadius, 0, 0}, Vector3d(1, turn, 0).normalized(), kMu, 0}}, {0, 0, 0}, kScale);
+    const ForceSet lone = hand_forces(touched, Eigen::RowVector3d(-1, turn, 0),
+                                      motors(MatrixXd::Identity(1, 1), 160, {}));
+    EXPECT_NEAR(load(lone, 0, -1), 160, 160 * kSolvedPress) << turn;
+    EXPECT_NEAR(load(lone, 0, 1), 0, kSolvedPress) << turn;
+    EXPECT_NEAR(load(lone, 1), 0, kSolvedPress) << turn;
+  }
+}
+
 // A worm on its stop presses as off it.
 TEST(Pressed, WormAtItsStopPressesByItsMotorAlone) {
   for (const bool stop : {false, true}) {
