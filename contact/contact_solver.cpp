@@ -101,29 +101,7 @@ struct ContactSolver::Workspace {
   }
 
   /// Takes Newton steps until they make no progress.
-  bool run_newton(Damped damped) {
-    double min_residual = kInfinity, damping = 0;
-    residual = contacts.residual(f(), u());
-    for (int idle = 0; idle < kMaxIdleSteps && solution.newton_steps < options.max_newton_steps;) {
-      ++solution.newton_steps;
-      end_if_stopped();
-      // The proximal term decreases with the residual, so that convergence stays quadratic.
-      const double before = residual;
-      if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
-      if (record_residual()) {
-        solution.method = ContactMethod::kNewton;
-        return true;
-      }
-      // Halve the damping after a step that halves the residual, double it after any other.
-      if (damped == Damped::kYes)
-        damping =
-            residual < before / 2 ? damping / 2 : std::clamp(2 * damping, kMinDamping, kMaxDamping);
-      // Count the steps without progress.
-      idle = residual < kProgressRatio * min_residual ? 0 : idle + 1;
-      min_residual = std::min(min_residual, residual);
-    }
-    return false;
-  }
+  bool run_newton(Damped damped);
 
   /// Takes Gauss-Seidel sweeps.
   bool run_sweeps(int sweeps) {
@@ -309,6 +287,30 @@ struct ContactSolver::Workspace {
                                                                      : Status::kStalled;
   }
 };
+
+bool ContactSolver::Workspace::run_newton(Damped damped) {
+  double min_residual = kInfinity, damping = 0;
+  residual = contacts.residual(f(), u());
+  for (int idle = 0; idle < kMaxIdleSteps && solution.newton_steps < options.max_newton_steps;) {
+    ++solution.newton_steps;
+    end_if_stopped();
+    // The proximal term decreases with the residual, so that convergence stays quadratic.
+    const double before = residual;
+    if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
+    if (record_residual()) {
+      solution.method = ContactMethod::kNewton;
+      return true;
+    }
+    // Halve the damping after a step that halves the residual, double it after any other.
+    if (damped == Damped::kYes)
+      damping =
+          residual < before / 2 ? damping / 2 : std::clamp(2 * damping, kMinDamping, kMaxDamping);
+    // Count the steps without progress.
+    idle = residual < kProgressRatio * min_residual ? 0 : idle + 1;
+    min_residual = std::min(min_residual, residual);
+  }
+  return false;
+}
 
 ContactSolver::ContactSolver() : work_(std::make_unique<Workspace>()) {}
 ContactSolver::~ContactSolver() = default;
