@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Depth above which an open node touches the problem [m]
+// Depth above which an open node joins the problem [m]
 constexpr double kJoinDepth = 1e-11;
 constexpr int kMaxRounds = 20;  // solutions, each with the nodes that joined after the last
 // Regularization added to the diagonal of W, over its largest entry [1]

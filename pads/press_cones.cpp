@@ -119,7 +119,7 @@ PressOutcome press_by_cones(PressIterate& iterate) {
     const ContactCones::Equilibrium solution = solve_under_cones(iterate);
     if (solution.status != Status::kSolved)
       return failed_by(out, "no forces of contact were found");
-    // Mix motions (Anderson) where they shrink slowly, as if friction turns with the normals.
+    // Mix motions (Anderson) where they shrink slowly, as where friction turns with the normals.
     const bool creeps = last_dx.size() > 0 && solution.dx.norm() > kCreepRatio * last_dx.norm();
     last_dx = solution.dx;
     if (iterate.goal.force || !creeps || residual > kMixingShare * iterate.total_force)

@@ -141,7 +141,7 @@ void PressIterate::accept(const Matrix3Xd& u, PressOutcome& out) const {
 }
 
 bool PressIterate::move_to_contact(PressOutcome& out) {
-  double nearest = 1e300;
+  double nearest = kInfinity;
   for (std::size_t k = 0; k < contacts.size(); ++k) nearest = std::min(nearest, gaps.gap(k));
   if (nearest > kMaxSearchRatio * max_motion) {
     out.message = "the object does not touch: move it until it does";

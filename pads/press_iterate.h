@@ -74,15 +74,14 @@ struct PressIterate : PressProblem {
 
   /// Solves for the motion of the object along the goal's direction, which is one more unknown of
   /// a step to a given force.
-  /// @param force_loss  loss of contact forces as nodes move against the object [N] (3, nodes)
-  /// @param solve       solution with the matrix of this iteration
-  /// @param dx          in: Newton step with the object at rest; out: with the object moving [m]
-  /// @param motion      motion of the object, output [m]
+  /// @param loss    loss of contact forces as nodes move against the object [N] (3, nodes)
+  /// @param solve   solution with the matrix of this iteration
+  /// @param dx      in: Newton step with the object at rest; out: with the object moving [m]
+  /// @param motion  motion of the object, output [m]
   /// @return false if the object has no positive stiffness
-  bool solve_object_motion(
-      const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& force_loss,
-      const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve, Eigen::VectorXd& dx,
-      double& motion) const;
+  bool solve_object_motion(const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& loss,
+                           const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
+                           Eigen::VectorXd& dx, double& motion) const;
 
   /// Moves body and object, and predicts the pressure after the motion.
   /// @param u  displacements of all nodes before [m] (3, nodes)

@@ -23,9 +23,8 @@ VectorXd solve_coupled(const PressIterate& iterate, const VectorXd& b) {
   return iterate.solve_iteratively(b, [&](const Matrix3Xd& moved) {
     // Subtract the part of the loss that the factor contains.
     Matrix3Xd left_out = contact_force_loss(iterate, moved);
-    for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
+    for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
       left_out.col(k) -= own_stiffness(iterate, k) * moved.col(k);
-    }
     return left_out;
   });
 }

@@ -148,11 +148,11 @@ void TissueBody::list_block_shares(Element& element) const {
         for (const NodeWeight& left : element.masters[a]) add(a, b, left, right);
 }
 
-std::size_t TissueBody::block_entry(int column, int place, int r, int c) const {
+std::size_t TissueBody::block_entry(int column, int row_index, int r, int c) const {
   // Column 3 j + c has 3 - c rows of the diagonal block, then three of each block below.
   const int start = pattern_.starts[3 * column + c];
-  return static_cast<std::size_t>(place == 0 ? start + r - c
-                                             : start + (3 - c) + 3 * (place - 1) + r);
+  return static_cast<std::size_t>(row_index == 0 ? start + r - c
+                                                 : start + (3 - c) + 3 * (row_index - 1) + r);
 }
 
 std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {

@@ -323,7 +323,8 @@ class Dilatation {
 template <int N>
 void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
              const MemoryStep* step, const ElementHistory* history,
-             const Eigen::Vector4d* tangent_pressure, ElementRequest ask, ElementResponse& out) {
+             const Eigen::Vector4d* tangent_pressure, ElementRequest request,
+             ElementResponse& out) {
   // Compute the deformation at all points.
   constexpr int kPoints = padded_points(N);
   PointKinematics points;
@@ -337,8 +338,8 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
     return;
   }
   // Reset the requested results.
-  const bool with_force = ask != ElementRequest::kEnergy,
-             with_stiffness = ask == ElementRequest::kStiffness;
+  const bool with_force = request != ElementRequest::kEnergy,
+             with_stiffness = request == ElementRequest::kStiffness;
   out.energy = dilatation.energy();
   if (with_force) out.force.setZero(3 * N);
   if (with_stiffness) out.stiffness.setZero(3 * N, 3 * N);
@@ -460,11 +461,11 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                       const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementRequest ask, ElementResponse& out) {
+                      ElementRequest request, ElementResponse& out) {
   if (node_count(kind) == 27)
-    respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
+    respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
   else
-    respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
+    respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
 }
 
 Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape, const Tissue& tissue,

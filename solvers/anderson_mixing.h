@@ -25,8 +25,8 @@ class AndersonMixing {
 
  private:
   std::size_t window_;
-  std::vector<Eigen::VectorXd> steps_,
-      increment_changes_;  // steps in x, and the changes of the increment that they caused
+  // Steps in x, and the changes of the increment that they caused
+  std::vector<Eigen::VectorXd> steps_, increment_changes_;
   Eigen::VectorXd increment_, step_;  // latest increment and step; empty at first
 };
 

@@ -15,9 +15,8 @@ struct ArrowLayout {
   int shared = 0, own = 0, blocks = 0;
 
   [[nodiscard]] int size() const { return shared + own * blocks; }
-  [[nodiscard]] int first_index(int block) const {
-    return shared + own * block;
-  }  // index of its first own coordinate
+  /// Returns the index of a block's first own coordinate.
+  [[nodiscard]] int first_index(int block) const { return shared + own * block; }
 };
 
 /// Symmetric matrix without the entries between two different blocks, which are either zero or not
@@ -35,8 +34,8 @@ struct ArrowMatrix {
   ArrowLayout layout;
   Eigen::MatrixXd shared;            // (shared, shared)
   std::vector<Eigen::MatrixXd> own;  // diagonal block of each block (own, own)
-  std::vector<Eigen::MatrixXd>
-      cross;  // entries of each block with the shared coordinates (own, shared)
+  // Entries of each block with the shared coordinates (own, shared)
+  std::vector<Eigen::MatrixXd> cross;
 };
 
 /// Rows of a Jacobian that depend on the shared coordinates and on those of one block.
@@ -85,15 +84,14 @@ class ArrowFactor {
 struct ArrowNullSpace {
   Eigen::MatrixXd coupled;  // directions that involve shared coordinates, with the response of
                             // every block (size, k)
-  std::vector<Eigen::MatrixXd>
-      own;  // directions within each block, shared coordinates at rest (own, k of the block)
+  // Directions within each block, shared coordinates at rest (own, k of the block)
+  std::vector<Eigen::MatrixXd> own;
 };
 
 /// Computes the null space of the `rows`; all directions of a block without rows belong to it. The
 /// cost is proportional to the number of blocks.
-/// @param tolerance  singular values below it count as zero; rounding of the largest singular value
-/// is
-/// the minimum
+/// @param tolerance  singular values below it count as zero; it is at least the rounding of the
+/// largest one
 [[nodiscard]] ArrowNullSpace arrow_null_space(const ArrowLayout& layout,
                                               const std::vector<ArrowRows>& rows, double tolerance);
 

@@ -22,8 +22,8 @@ int min_degree_row(const Neighbours& neighbours, const std::vector<bool>& elimin
   return best;
 }
 
-/// Eliminates rows in minimum-degree order; afterwards, joined[i] holds the later rows coupled to
-/// i.
+/// Eliminates rows in minimum-degree order; afterwards, neighbours[i] holds the later rows coupled
+/// to i.
 std::vector<int> eliminate(Neighbours& neighbours) {
   std::vector<int> order;
   std::vector<bool> eliminated(neighbours.size(), false);

@@ -32,8 +32,8 @@ class BlockPattern {
 
  private:
   friend class BlockFactor;
-  std::vector<int> place_, start_, row_,
-      column_;  // column k of row_ spans start_[k] .. start_[k + 1]
+  // Column k of row_ spans start_[k] .. start_[k + 1].
+  std::vector<int> place_, start_, row_, column_;
   std::vector<Update> update_;
   std::vector<int> update_start_;
 };

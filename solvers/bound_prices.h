@@ -10,11 +10,11 @@ namespace thenar {
 /// optimum is a concave function of each bound, so relaxing a bound by one unit gains at most what
 /// tightening it by one unit costs.
 struct BoundPrices {
-  Eigen::VectorXd
-      increase;  // d optimum / d upper bound as the bound grows; 0 where it is not active (n)
-  Eigen::VectorXd
-      decrease;  // d optimum / d upper bound as it shrinks, >= increase; infinite if the program is
-                 // infeasible below this bound; NaN if no method certifies a price (n)
+  // d optimum / d upper bound as the bound grows; 0 where it is not active (n)
+  Eigen::VectorXd increase;
+  // d optimum / d upper bound as it shrinks, >= increase; infinite if the program is infeasible
+  // below this bound; NaN if no method certifies a price (n)
+  Eigen::VectorXd decrease;
 };
 
 /// Computes the minimum and maximum price of every upper bound over all optimal duals, i.e. the

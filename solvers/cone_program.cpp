@@ -197,7 +197,7 @@ class Embedding {
   }
 
   /// Computes the Newton direction that removes the fraction `target.share` of the residuals and
-  /// satisfies lambda o (...) = aim.product.
+  /// satisfies lambda o (...) = target.product.
   [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
                                const Step& h_direction, const NewtonTarget& target) const {
     const double share = target.share, kappa_tau = target.kappa_tau;
@@ -215,8 +215,8 @@ class Embedding {
   }
 
   [[nodiscard]] double step_length(const ConeScaling& W, const VectorXd& lambda, const Step& step,
-                                   double max_error) const {
-    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), max_error);
+                                   double max_length) const {
+    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), max_length);
     length = internal::step_to_cone(cones_, lambda, W.times(step.z), length);
     if (step.tau < 0) length = std::min(length, -tau / step.tau);
     if (step.kappa < 0) length = std::min(length, -kappa / step.kappa);

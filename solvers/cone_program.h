@@ -43,10 +43,10 @@ struct [[nodiscard]] ConeResult {
   double residual;    // kSolved: largest violation of the KKT conditions of the original program
                       // (feasibility, dual feasibility, gap), each over 1 + the norm of the terms
                       // compared, recomputed from x, y and z; above 10 `acceptable_tolerance` the
-  // status is kStalled [1]. kInfeasible: no x shorter than its inverse satisfies
-  // all constraints. kUnbounded: violation along the direction over the decrease
-  // of the objective
-  int iterations;  // Newton iterations
+                      // status is kStalled [1]. kInfeasible: no x shorter than its inverse
+                      // satisfies all constraints. kUnbounded: violation along the direction over
+                      // the decrease of the objective
+  int iterations;     // Newton iterations
 };
 
 /// Solves by a primal-dual interior-point method on the homogeneous self-dual embedding with

@@ -13,15 +13,15 @@ namespace thenar {
 struct HullFacet {
   Eigen::VectorXd normal;  // outward, unit length                                          (d)
   double offset;           // distance of the plane from the origin, in the unit of the points
-  std::vector<int>
-      ring;  // row indices of its corners, in order; d = 3: counterclockwise from outside
+  // Row indices of its corners, in order; d = 3: counterclockwise from outside
+  std::vector<int> ring;
 };
 
 /// Verification of a hull from its points, planes and rings alone. Lengths in the unit of the
 /// points.
 struct HullCheck {
-  double outside =
-      0;  // largest distance of a point outside a plane, or of a corner inside its own plane
+  // Largest distance of a point outside a plane, or of a corner inside its own plane
+  double outside = 0;
   bool closed = false;  // every edge is traversed once in each direction; d = 3: and V - E + F = 2
   double volume = 0;    // volume by the divergence theorem; d = 2: area
   double volume_error = 0;  // range of the volumes computed from x, from y and from z alone

@@ -133,9 +133,9 @@ class DenseSimplex {
 
   /// Returns the bound that blocks a basic variable; one that violates its bounds is blocked where
   /// it reaches them.
-  [[nodiscard]] double blocking_bound(Index k, double rate, double violations) const {
-    if (violations > 0) return rate > 0 ? lower_(basic(k)) : -kInfinity;
-    if (violations < 0) return rate < 0 ? upper_(basic(k)) : kInfinity;
+  [[nodiscard]] double blocking_bound(Index k, double rate, double violation) const {
+    if (violation > 0) return rate > 0 ? lower_(basic(k)) : -kInfinity;
+    if (violation < 0) return rate < 0 ? upper_(basic(k)) : kInfinity;
     return rate > 0 ? upper_(basic(k)) : lower_(basic(k));
   }
 

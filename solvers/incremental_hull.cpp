@@ -11,8 +11,8 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon();
-constexpr double kPlaneRounding =
-    32 * kUnitRoundoff;  // rounding error of n'p - d, over the size [1]
+// Rounding error of n'p - d, over the size [1]
+constexpr double kPlaneRounding = 32 * kUnitRoundoff;
 // Plane error above which the residual is computed, over the size [1]
 constexpr double kErrorToCheck = 1e-13;
 

@@ -91,8 +91,8 @@ class Hull {
   [[nodiscard]] Plane solve(const Links& links) const;
 
   std::vector<HullPoint> points_;
-  std::vector<std::uint64_t>
-      codes_;  // random codes of points: a ridge is identified by the sum of its points' codes
+  // Random codes of points: a ridge is identified by the sum of its points' codes
+  std::vector<std::uint64_t> codes_;
   std::vector<Plane> planes_;
   std::vector<Links> links_;
   std::vector<int> free_;

@@ -41,8 +41,8 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
 
 /// Returns the coordinates that their bounds do not fix.
 std::vector<int> find_free_coordinates(const LeastSquares& problem) {
-  constexpr double kMinWidth =
-      1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
+  // Distance of the bounds up to which they are equal to rounding [prior sds]
+  constexpr double kMinWidth = 1e-12;
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
     if (problem.upper[i] - problem.lower[i] > kMinWidth || !std::isfinite(problem.lower[i]))
@@ -99,8 +99,8 @@ double unconstrained_newton_step(const LeastSquares& problem, const Eigen::Vecto
 /// Returns the rows of active constraints that oppose the descent direction.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kActiveDistance =
-      1e-5;  // distance from a bound at which scaled constraints are active [1]
+  // Distance from a bound below which scaled constraints are active [1]
+  constexpr double kActiveDistance = 1e-5;
   // Collect constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
@@ -226,8 +226,8 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
     solution.newton_step = constrained ? constrained_newton_step(problem, solution.z, slopes)
                                        : unconstrained_newton_step(problem, solution.z, slopes);
   }
-  constexpr double kNegligibleStep =
-      0.01;  // step below which differences of a solution are negligible [sd]
+  // Step up to which differences of a solution are negligible [sd]
+  constexpr double kNegligibleStep = 0.01;
   // Compare it with the step that the tolerance allows.
   const double allowed =
       std::max(kNegligibleStep, std::sqrt(20 * options.tolerance * solution.cost));
@@ -336,12 +336,11 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
   const bool derivatives =
       method == LeastSquaresMethod::kCeres || method == LeastSquaresMethod::kIpopt;
   const bool blocks = method == LeastSquaresMethod::kCeres && !problem.parts.empty();
-  const Residuals expand =
+  const Residuals whole =
       problem.residuals(z, derivatives && !blocks ? WithJacobian::kYes : WithJacobian::kNo);
-  require(expand.r.allFinite(), "residuals at the start are not finite");
-  const bool has_jacobian = blocks
-                                ? exact_derivatives(problem, z).has_value()
-                                : expand.J.rows() == expand.r.size() && expand.J.cols() == z.size();
+  require(whole.r.allFinite(), "residuals at the start are not finite");
+  const bool has_jacobian = blocks ? exact_derivatives(problem, z).has_value()
+                                   : whole.J.rows() == whole.r.size() && whole.J.cols() == z.size();
   require(has_jacobian || !derivatives, "{} needs the Jacobian of the residuals by {} coordinates",
           name_of(method), z.size());
   if (!problem.constraints) return;

@@ -94,16 +94,16 @@ struct SolveOptions {
 struct [[nodiscard]] Solution {
   Eigen::VectorXd z;  // (n)
   double cost = 0;    // 1/2 |r|^2 [1]
-  Status status =
-      Status::kStalled;  // kSolved: certified by `newton_step`, and no constraint is violated;
-                         // kStalled: one of these does not hold, or the solver failed
-  bool failed = false;   // the solver ended with an error, or found the bounds infeasible
+  // kSolved: certified by `newton_step`, and no constraint is violated; kStalled: one of these does
+  // not hold, or the solver failed
+  Status status = Status::kStalled;
+  bool failed = false;  // the solver ended with an error, or found the bounds infeasible
   std::string message;  // message of the solver, followed by failed checks and violated constraints
   int evaluations = 0;  // number of evaluations of the residuals
   double seconds = 0;   // wall time [s]
-  double newton_step =
-      0;  // length of the Gauss-Newton step along the directions left free by bounds and active
-          // constraints at z, in sds of exp(-cost) [1]; NaN: the residuals near z are not finite
+  // Length of the Gauss-Newton step along the directions left free by bounds and active constraints
+  // at z, in sds of exp(-cost) [1]; NaN: the residuals near z are not finite
+  double newton_step = 0;
   int kink_sides = 1;  // number of sides of a kink of the residuals within 1e-3 sds of z, whose
                        // averaged gradient gives `newton_step`; 1: no kink [1]
 
@@ -146,8 +146,8 @@ Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& s
 /// neglects the curvature of large residuals; secant updates estimate it from the changes of the
 /// Jacobian between steps. The update is done part by part, so that many blocks need no more steps
 /// than one. The cost never rises beyond rounding.
-/// @param max_evaluations      maximum number of evaluations [1]
-/// @param solution  initial point on input, best point found on output
+/// @param max_evaluations  maximum number of evaluations [1]
+/// @param solution         initial point on input, best point found on output
 /// @return whether it converged or was stopped; if not, the status is unchanged
 /// Source: [DennisGayWelsch1981], structured secants; [Griewank1982], part by part.
 bool search_by_secants(const LeastSquares&, const SolveOptions&, int max_evaluations,
@@ -160,8 +160,7 @@ bool search_by_secants(const LeastSquares&, const SolveOptions&, int max_evaluat
 /// If a step along it does not lower the cost, the gradient beyond the kink is added to the set.
 /// @param solution  initial point on input, best point found on output
 /// @return whether the remaining step is below 3e-3 sds, or the search was stopped; if not, the
-/// status is
-/// unchanged
+/// status is unchanged
 /// Source: [Goldstein1977] for the set of gradients, [Wolfe1975] for the search.
 bool search_at_kink(const LeastSquares&, const SolveOptions&, Solution& solution);
 

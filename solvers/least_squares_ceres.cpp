@@ -70,8 +70,8 @@ Status status_of(const ceres::Solver::Summary& summary) {
 /// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
 void set_bounds(const LeastSquares& problem, int first, int count, double* z,
                 ceres::Problem& ceres) {
-  constexpr double kMinBlockWidth =
-      1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
+  // Distance of the bounds up to which they are equal to rounding [prior sds]
+  constexpr double kMinBlockWidth = 1e-12;
   std::vector<int> held;
   // Set the bounds, and collect fixed coordinates.
   for (int i = 0; i < count; ++i) {

@@ -8,8 +8,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kMaxCoordinate =
-    8;  // replacement for an infinite bound of a standard normal coordinate [1]
+// Replacement for an infinite bound of a standard normal coordinate [1]
+constexpr double kMaxCoordinate = 8;
 
 /// State of the C callback. It stores the best point, which NLopt discards after a stop.
 struct Context {

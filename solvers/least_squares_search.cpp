@@ -204,8 +204,8 @@ class SecantSearch {
 bool is_held(const LeastSquares& problem, const VectorXd& z, double gradient, Eigen::Index i) {
   const double width = problem.upper[i] - problem.lower[i];
   if (width == 0) return true;
-  const double on =
-      1e-6 * std::min(1.0, width);  // interior-point solvers stop close to the bound [1]
+  // Interior-point solvers stop close to the bound.
+  const double on = 1e-6 * std::min(1.0, width);
   return (z[i] < problem.lower[i] + on && gradient > 0) ||
          (z[i] > problem.upper[i] - on && gradient < 0);
 }

@@ -62,7 +62,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   simplex.setLogLevel(0);
 }
 
-/// Proposal of a method. It is not trusted: `end` only indicates what to prove.
+/// Proposal of a method. It is not trusted: `claim` only indicates what to prove.
 struct Proposal {
   Status claim;
   std::optional<SimplexBasis> basis;

@@ -22,11 +22,11 @@ struct MatrixInequality {
 /// Result of maximising one unknown.
 struct MaximisedComponent {
   Eigen::VectorXd y;  // strictly feasible point
-  bool reached;       // y[which] > enough
+  bool reached;       // y[index] > target
 };
 
 /// Raises one unknown subject to inequalities until it exceeds `target`, or until its maximum is
-/// known to be smaller. Applies Newton's method to  -weight y[which] - sum of log det with growing
+/// known to be smaller. Applies Newton's method to  -weight y[index] - sum of log det with growing
 /// weight; the minimum is within (rows of all inequalities) / weight of the largest value. The
 /// feasible set must be bounded in the directions that matter. Nothing is certified: the caller
 /// verifies y.

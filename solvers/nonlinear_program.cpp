@@ -226,7 +226,7 @@ void set_options(Ipopt::OptionsList& list, const NonlinearProgram& program,
 /// Result with the scale of its stationarity.
 struct Run {
   NonlinearResult result;
-  double slope = 0;  // slope_terms() at the final point
+  double slope = 0;  // gradient_scale() at the final point
 };
 
 /// Runs Ipopt once, and computes the KKT residuals at the final point.

@@ -32,11 +32,10 @@ struct NonlinearProgram {
 };
 
 struct NonlinearOptions {
-  double tolerance = 1e-10;  // scaled optimality error at which iterations stop            [1]
-  double acceptable_tolerance =
-      1e-7;                     // scaled error accepted if progress ends before `tolerance`   [1]
-  int max_iterations = 500;     // maximum number of Newton steps                              [1]
-  double kkt_tolerance = 1e-6;  // largest KKT residual that counts as solved, at least        [1]
+  double tolerance = 1e-10;            // scaled optimality error at which iterations stop [1]
+  double acceptable_tolerance = 1e-7;  // scaled error accepted if progress ends early [1]
+  int max_iterations = 500;            // maximum number of Newton steps
+  double kkt_tolerance = 1e-6;         // largest KKT residual that counts as solved, at least [1]
 };
 
 /// Residuals of the first-order conditions at x, computed from the functions of the program.

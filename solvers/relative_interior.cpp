@@ -19,7 +19,7 @@ constexpr double kFixedWidth = 1e-9;
 // Singular value of the equalities below which it counts as zero [1]
 constexpr double kRankTolerance = 1e-12;
 
-/// Returns an orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
+/// Returns an orthonormal basis of { z : E z = 0, z_i = 0 for fixed i }.
 MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& fixed) {
   // Stack the equalities, and one row for each fixed variable.
   MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(fixed.size()), E.cols());
@@ -60,8 +60,8 @@ RelativeInterior relative_interior(LinearProgram program) {
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
-      if (extreme.status !=
-          Status::kSolved) {  // cannot happen: the program is bounded and feasible
+      // The program is bounded and feasible, so this cannot happen.
+      if (extreme.status != Status::kSolved) {
         interior.status = Status::kStalled;
         return interior;
       }

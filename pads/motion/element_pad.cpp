@@ -11,8 +11,8 @@ namespace {
 // Time after which a free pad is reset to rest, over its longest relaxation time [1]
 constexpr double kMemoryTimes = 10;
 constexpr double kClearGap = 1e-6;      // gap from which an object approaches a pad at rest [m]
-constexpr int kMaxStepIterations = 25;  // Most iterations of a step; most steps take fewer than 12
-// Most pieces of a step; a caller may ask for a shorter step instead
+constexpr int kMaxStepIterations = 25;  // iterations of a step; most take fewer than 12
+// Failed pieces after which a step fails; a caller may ask for a shorter step instead
 constexpr int kMaxFailedPieces = 4;
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace thenar {
 
-/// Solves  A x = b  for a well-conditioned matrix of which only products are available: minimises
-/// |b - A x| over the Krylov space of A and b, without restarts.
+/// Solves  A x = b  for a matrix near the identity, of which only products are available:
+/// minimises |b - A x| over the Krylov space of A and b, without restarts.
 /// @param apply           function that multiplies a vector by A (n)
 /// @param b               right-hand side (n)
 /// @param tolerance       largest |b - A x| over |b| at which iterations stop [1]

@@ -31,8 +31,7 @@ class SparseCholesky {
   /// Factorises a matrix.
   /// @param values  value of each entry of the pattern (entries)
   /// @return whether all values are finite and the matrix is positive definite to rounding;
-  /// otherwise no
-  /// factor is available
+  /// otherwise no factor is available
   [[nodiscard]] bool factor(const std::vector<double>& values);
   /// Solves A x = b (size, systems). The workspace is shared: call it from one thread at a time.
   /// @param b  right-hand sides (size, systems)
