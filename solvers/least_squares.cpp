@@ -25,12 +25,10 @@ Solution run_method(const LeastSquares& problem, const Eigen::VectorXd& start,
 void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
                           Solution& solution) {
   if (!problem.constraints) return;
-  // Maximum violation of scaled constraints, also used by Ipopt [1]
-  constexpr double kMaxViolation = 1e-6;
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
   // A NaN counts as a violation.
-  const auto satisfied = ((c.array() >= problem.c_lower.array() - kMaxViolation) &&
-                          (c.array() <= problem.c_upper.array() + kMaxViolation))
+  const auto satisfied = ((c.array() >= problem.c_lower.array() - internal::kMaxViolation) &&
+                          (c.array() <= problem.c_upper.array() + internal::kMaxViolation))
                              .count();
   if (satisfied == c.size()) return;
   if (solution.status == Status::kSolved) solution.status = Status::kStalled;
@@ -41,11 +39,10 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
 
 /// Returns the coordinates that their bounds do not fix.
 std::vector<int> find_free_coordinates(const LeastSquares& problem) {
-  // Distance of the bounds up to which they are equal to rounding [prior sds]
-  constexpr double kMinWidth = 1e-12;
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
-    if (problem.upper[i] - problem.lower[i] > kMinWidth || !std::isfinite(problem.lower[i]))
+    if (problem.upper[i] - problem.lower[i] > internal::kMinWidth ||
+        !std::isfinite(problem.lower[i]))
       free.push_back(static_cast<int>(i));
   return free;
 }

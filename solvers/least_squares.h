@@ -137,6 +137,11 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
 [[nodiscard]] std::string convergence_word(const Solution& solution);
 
 namespace internal {
+/// Distance of two bounds up to which they are equal to rounding [prior sds].
+inline constexpr double kMinWidth = 1e-12;
+/// Largest violation of scaled constraints at a feasible point [1].
+inline constexpr double kMaxViolation = 1e-6;
+
 Solution solve_ceres(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
 Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
 Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& start,

@@ -70,13 +70,11 @@ Status status_of(const ceres::Solver::Summary& summary) {
 /// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
 void set_bounds(const LeastSquares& problem, int first, int count, double* z,
                 ceres::Problem& ceres) {
-  // Distance of the bounds up to which they are equal to rounding [prior sds]
-  constexpr double kMinBlockWidth = 1e-12;
   std::vector<int> held;
   // Set the bounds, and collect fixed coordinates.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
-    if (upper - lower <= kMinBlockWidth) {
+    if (upper - lower <= kMinWidth) {
       held.push_back(i);
       continue;
     }

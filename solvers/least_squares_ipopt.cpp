@@ -31,15 +31,13 @@ class Evaluator {
  private:
   /// Stores the feasible point with the lowest cost so far, for a search that is stopped.
   void keep_best() {
-    // Maximum violation of scaled constraints at a feasible point [1]
-    constexpr double kMaxIpoptViolation = 1e-6;
     // Accept a lower cost if the constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;
     if (problem_.constraints && best_.evaluations > 1) {
       const Eigen::VectorXd c = problem_.constraints(z_).c;
-      if ((c.array() < problem_.c_lower.array() - kMaxIpoptViolation).any()) return;
-      if ((c.array() > problem_.c_upper.array() + kMaxIpoptViolation).any()) return;
+      if ((c.array() < problem_.c_lower.array() - kMaxViolation).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kMaxViolation).any()) return;
     }
     best_.cost = cost;
     best_.z = z_;
