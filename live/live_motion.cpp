@@ -82,8 +82,8 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       if (!stepper_.step(within)) break;
     } catch (const Error&) {
       // Collision detection fails for huge coordinates; the steps before this one are kept.
-      collect_quality(out);
       restore_shown_instant();
+      collect_quality(out);
       throw;
     }
     good = is_finite(stepper_.now().state);
