@@ -21,6 +21,7 @@ namespace thenar {
 
 /// Returns the number of sides of a regular polygon whose deviation from a circle is at most
 /// `tolerance` inside and outside, if its corners are outside the circle by corner_overshoot().
+/// @param radius, tolerance  [m]
 [[nodiscard]] int sides_of_circle(double radius, double tolerance);
 
 /// Returns the distance of the corners of this polygon outside the circle, over its radius [1].

@@ -190,9 +190,10 @@ RequestTable<SampleRequest> posterior_params() {
   // Warm-up adapts the sampler; draws are kept, thinned where neighbours are alike.
   table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
             "Steps that adapt and are thrown away.");
-  table.add("draws", integer_schema(0, 1e9), &Request::draws,
-            "Draws per chain (0: 1000, or 100 for stretch); doubled at most twice if the chains "
-            "have not converged and more draws may help.");
+  table.add(
+      "draws", integer_schema(0, 1e9), &Request::draws,
+      "Draws per chain; 0: 1000, or 100 for stretch, doubled at most twice if the chains have "
+      "not converged and more draws may help.");
   table.add("thin", integer_schema(0, 1e9), &Request::thin,
             "Steps per draw; 0: 1, or 10 with stretch.");
   // Parallel tempering lets chains pass between modes.

@@ -19,9 +19,7 @@ const std::vector<Question>& questions() {
   return kAll;
 }
 
-std::vector<std::string> question_names() {
-  return transformed(questions(), [](const Question& each) { return each.name; });
-}
+std::vector<std::string> question_names() { return names_of(questions()); }
 
 std::string request_record(const std::string& question, const OrderedJson& request) {
   OrderedJson record{{"question", question}};

@@ -47,8 +47,7 @@ struct Param {
 /// Checks a request, and converts it to SI with keys without units.
 /// @param request  object whose keys have SI or printed units
 /// @throws InputError with the field, for an unknown key, a key given in two units, an invalid
-/// value
-///         or a missing parameter
+///         value or a missing parameter
 [[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request);
 
 /// Returns the schema of a request whose keys have SI units.

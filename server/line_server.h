@@ -2,7 +2,7 @@
 
 /// JSON-RPC as lines of text over TCP, for programs.
 ///
-/// A message is a line of at most 1 MB, and so is a reply. There are no notifications. A connection
+/// A message is a line of at most 1 MB; a reply is a line. There are no notifications. A connection
 /// whose first character is not '{', '[' or white space is closed, so that pages of a browser and
 /// clients of other protocols are refused.
 

@@ -22,7 +22,6 @@ struct PrincipalCurvatures {
 /// h is near the size of the contact patch, and larger than a mesh's facets.
 /// @param p     point on the surface, or near it [m] (3)
 /// @param step  step h [m]
-/// @param step  h [m]
 /// @throws InputError if p is not finite, or the step not positive and finite.
 [[nodiscard]] PrincipalCurvatures curvatures(const Shape& shape, const Eigen::Vector3d& p,
                                              double step = 1e-3);

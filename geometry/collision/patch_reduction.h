@@ -23,6 +23,7 @@ struct ReducedPoints {
 /// replaced by forces at the kept ones, up to a torque of at most loss times force.
 /// @param points      columns, at least one [m] (2, points)
 /// @param max_points  at least 3
+/// Source: [Andrew1979] for the hull.
 [[nodiscard]] ReducedPoints reduce_points(const Eigen::Matrix2Xd& points, double merge,
                                           int max_points);
 

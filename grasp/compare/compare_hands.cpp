@@ -77,9 +77,9 @@ Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<Bod
   out.seed = options.seed;
   out.approaches = options.approaches;
   out.normalise_size = options.normalise_size;
-  out.hands = transformed(hands, [](const ComparedHand& hand) { return hand.name; });
+  out.hands = names_of(hands);
   out.warnings = folded_warnings(hands);
-  out.objects = transformed(objects, [](const BodySpec& object) { return object.name; });
+  out.objects = names_of(objects);
   out.tasks = transformed(options.tasks, [](GraspTask task) { return name_of(task); });
   require_names(out.hands, "hand");
   require_names(out.objects, "object");

@@ -2,7 +2,6 @@
 
 /// Loads that a grasp resists, with the reasons of zero or unknown loads.
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

@@ -19,7 +19,7 @@ namespace thenar {
 [[nodiscard]] WrenchSet friction_pyramids(const WrenchSet& set, int edges);
 
 /// Replaces each cap by an inscribed polytope. Ellipsoids are cut by m meridians and m / 2
-/// parallels, so that they converge as fast as discs. @throws InputError if edges < 3
+/// bands of latitude, so that they converge as fast as discs. @throws InputError if edges < 3
 [[nodiscard]] WrenchSet inscribed_polytopes(const WrenchSet& set, int edges);
 
 /// Replaces each cap by a circumscribed polytope: that of inscribed_polytopes(), scaled for discs

@@ -24,16 +24,11 @@ using Eigen::VectorXd;
 using internal::append_limit;
 using internal::append_variables;
 
-Index variables_of(const WrenchSet& set) {
-  Index n = 0;
-  for (const WrenchCap& cap : set.caps) n += 1 + cap.A.cols();
-  return n;
-}
-
 void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
   const Index joints = a.B.rows(), actuators = a.B.cols();
-  require(T.cols() == variables_of(set), "T has {} columns, the contacts {} forces", T.cols(),
-          variables_of(set));
+  Index forces = 0;
+  for (const WrenchCap& cap : set.caps) forces += 1 + cap.A.cols();
+  require(T.cols() == forces, "T has {} columns, the contacts {} forces", T.cols(), forces);
   require(T.rows() == joints && a.tau_0.size() == joints, "T, B, tau_0 have {}, {}, {} coordinates",
           T.rows(), joints, a.tau_0.size());
   require(a.lower.size() == actuators && a.upper.size() == actuators,
@@ -119,11 +114,11 @@ MatrixXd local_loads(const Contact& contact) {
 }  // namespace
 
 ForceSet free_forces(const WrenchSet& set) {
-  const Index n = variables_of(set);
   ForceSet forces;
   forces.contacts = static_cast<int>(set.caps.size());
   // Without a hand there is no balance; each contact's variables are in its cone.
   forces.wrench = wrench_columns(set);
+  const Index n = forces.wrench.cols();
   forces.normals.setZero(n);
   forces.A.resize(0, n);
   forces.b.resize(0);

@@ -33,6 +33,7 @@ struct SupportProof {
 /// one.
 /// @param r  level below the minimum of h(u) by a margin, as there is no proof at the minimum [1]
 /// @param max_parts  maximum number of parts of the sphere
+/// @return not found if there are more than kMaxProofCaps different caps
 /// Source: [BurerAnstreicher2013] for products of second-order cones.
 [[nodiscard]] SupportProof prove_support(const SupportFunction& support, double r, int max_parts);
 

@@ -20,15 +20,18 @@ struct [[nodiscard]] TaskMargin {
 /// Computes the margin of a list of loads T: k = min over loads of load_margin(), one program each,
 /// between the forces found and the bound of the multipliers. As the wrenches are convex, the grasp
 /// resists k T with all loads between these and zero. Without loads k is infinite.
+/// Source: [Pollard1994] for task wrench sets.
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads);
 
 /// Computes the margin of a box of loads as that of the list of its corners, at most 64.
+/// @throws InputError if a lower bound exceeds its upper or is not finite
 TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
                          const ScaledWrench& upper);
 
 /// Computes the margin of an ellipsoid of loads about zero, { Q y : |y| <= 1 }. With six axes k is
 /// the radius of the inscribed ball of Q^-1 W. With fewer it is that of the slice of W along Q,
 /// computed in the product of the slice with a wider box, which does not change the result.
+/// @param Q  semi-axes in columns, independent (6, 1..6) [N]
 /// @throws InputError if they are dependent
 /// Source: [Li1988].
 TaskMargin margin_of_ellipsoid(const ForceSet& forces,

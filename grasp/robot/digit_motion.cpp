@@ -197,7 +197,7 @@ std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::
 std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const DigitRoles& roles,
                                                     bool only_one) const {
   // A stated closing starts at its stated posture; jaws open as far as possible.
-  const VectorXd& stated = digits_.grip().hand().layout().open;
+  const VectorXd& stated = layout().open;
   if (only_one)
     return {posture_at_opening(option, stated.size() > 0 ? stated : digits_.rest(), kInfinity)};
   if (!roles.palm && are_jaws()) return {posture_at_opening(option, digits_.rest(), kInfinity)};
@@ -234,7 +234,8 @@ VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) 
   return open;
 }
 
-/// Returns the posture with driven coordinates in the middle of their ranges, the others at rest.
+/// Returns the posture with the coordinates of closing drives in the middle of their ranges, the
+/// others at rest.
 VectorXd DigitMotion::half_closed_posture(std::size_t option) const {
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
@@ -245,8 +246,8 @@ VectorXd DigitMotion::half_closed_posture(std::size_t option) const {
   return q;
 }
 
-/// Returns the posture with driven coordinates at the limit to which they close, the others at
-/// rest.
+/// Returns the posture with the coordinates of closing drives at the limit to which they close, the
+/// others at rest.
 VectorXd DigitMotion::closed_posture(std::size_t option) const {
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)

@@ -48,8 +48,8 @@ class HandDigits {
   [[nodiscard]] double range(std::size_t drive) const;
   /// Returns whether a drive rotates any digit, rather than only translating it.
   [[nodiscard]] bool rotates_digits(std::size_t drive) const;
-  /// Returns whether a drive rotates other digits about as far as this one. @param digit  one of
-  /// digits()
+  /// Returns whether a drive moves the tip of another digit about as far as that of this one.
+  /// @param digit  one of digits()
   [[nodiscard]] bool spreads(std::size_t drive, const HandDigit& digit) const;
   /// Returns the posture at a fraction of the range from rest in the given directions; drives of
   /// direction 0 do not move (coordinates).

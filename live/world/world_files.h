@@ -27,8 +27,7 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 
 /// Returns the world as the text of a file in the working folder.
 /// @throws InputError if a hand was imported: the text cannot hold its files, which are removed
-/// with
-///         the session
+///         with the session
 [[nodiscard]] std::string world_text(const LiveWorld& live);
 
 /// Files that saving may overwrite, besides the world's own file.
@@ -41,8 +40,7 @@ enum class Overwrite { kNothing, kAnything };
 /// @param over  kNothing: only the file that the world was loaded from or saved to is overwritten
 /// @return path of the file
 /// @throws InputError if the file is outside the folder or behind a link, must not be overwritten,
-/// or
-///         cannot be written
+///         or cannot be written
 std::string save_live_world(LiveWorld& live, const std::string& file,
                             Overwrite over = Overwrite::kNothing);
 

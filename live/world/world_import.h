@@ -43,8 +43,7 @@ struct ImportedBody {
 /// are copied when the world is saved. If this throws, the world is unchanged.
 /// @param units  as for read_imported_body()
 /// @throws InputError for too large, too many or no files, an invalid or repeated name, or no
-/// usable
-///         main file; DataError for an invalid file
+///         usable main file; DataError for an invalid file
 AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
                           const Progress& progress = {}, const std::string& units = "");
 

@@ -18,9 +18,10 @@ std::size_t entry_named(const std::vector<std::string>& names, const std::string
                         const std::string& kind) {
   // Find the name.
   if (!name.empty()) {
-    require(contains(names, name), "the world has no {} '{}'{} it has {}", kind, name,
+    const int found = place_in(names, name);
+    require(found >= 0, "the world has no {} '{}'{} it has {}", kind, name,
             hint_before_list(name, names), listed(names));
-    return static_cast<std::size_t>(place_in(names, name));
+    return static_cast<std::size_t>(found);
   }
   // Without a name there must be exactly one entry.
   require(!names.empty(), "the world has no {}", kind);
