@@ -10,6 +10,7 @@
 
 #include "posterior/bounded_table.h"
 #include "posterior/gauge.h"
+#include "posterior/posterior_options.h"
 
 namespace thenar {
 
@@ -63,8 +64,9 @@ struct PosteriorEntries {
   }
 };
 
-/// Lists the entries of x of a problem with its optional factors and sphere priors.
-[[nodiscard]] PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
-                                            bool learn_specimen_scale, bool sphere_priors);
+/// Lists the entries of x of a problem, with the factors and sphere priors that the options
+/// request.
+[[nodiscard]] PosteriorEntries list_entries(const FitProblem& problem,
+                                            const PosteriorOptions& options);
 
 }  // namespace thenar
