@@ -240,9 +240,10 @@ HeightRange heights_over(const ConvexBody& body, const HalfSpace& side) {
 }
 
 /// Puts what of a piece stands outside of another body into `pieces`, as polyhedra that share no
-/// more than faces. @param work  counts the faces that were looked at
-void add_difference(const ConvexBody& piece, const ConvexBody& other, double tolerance,
-                    std::vector<ConvexBody>& pieces, double& work) {
+/// more than faces. @return number of faces that were looked at
+double add_difference(const ConvexBody& piece, const ConvexBody& other, double tolerance,
+                      std::vector<ConvexBody>& pieces) {
+  double work = 0;
   const std::size_t before = pieces.size();
   ConvexBody rest = piece;
   end_if_stopped();
@@ -264,9 +265,10 @@ void add_difference(const ConvexBody& piece, const ConvexBody& other, double tol
     if (rest.empty()) {
       pieces.resize(before);
       pieces.push_back(piece);
-      return;
+      break;
     }
   }
+  return work;
 }
 
 }  // namespace
@@ -291,7 +293,7 @@ UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double toleran
       for (ConvexBody& piece : pieces) {
         result.work += 1;
         if (other.box.intersects(piece.box))
-          add_difference(piece, other, tolerance, outside, result.work);
+          result.work += add_difference(piece, other, tolerance, outside);
         else
           outside.push_back(std::move(piece));
         if (result.work > max_work) return {{}, false, result.work};
