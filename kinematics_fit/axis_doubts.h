@@ -12,7 +12,7 @@ namespace thenar {
 /// Tilt of an axis that the forces cannot distinguish from a tilt of the load cell.
 struct TradedTilt {
   std::string axis, cell;  // names of the entries of z
-  double correlation;      // posterior correlation of the two entries [1]
+  double correlation = 0;  // posterior correlation of the two entries [1]
 };
 
 /// Posterior sd, over the prior sd, above which the data have not determined an entry of z [1].

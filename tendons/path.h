@@ -11,8 +11,8 @@ namespace thenar {
 /// Via point of a tendon.
 template <typename T>
 struct PathNode {
-  int link;   // link that carries it; -1: the base
-  Vec3<T> p;  // position at the reference posture [m] (3)
+  int link = -1;  // link that carries it; -1: the base
+  Vec3<T> p;      // position at the reference posture [m] (3)
 };
 
 template <typename T>

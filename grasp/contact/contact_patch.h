@@ -18,11 +18,11 @@ namespace thenar {
 /// One connected region of contact.
 struct ContactPatch {
   std::vector<HandContact>
-      contacts;     // in B's frame; surface, patch -1 and torsion 0 are left to the caller
-  double distance;  // minimum in the patch; negative: overlap [m]
+      contacts;         // in B's frame; surface, patch -1 and torsion 0 are left to the caller
+  double distance = 0;  // minimum in the patch; negative: overlap [m]
   /// Maximum distance of a touching point from the hull of the contacts; it changes the wrench of
   /// unit normal force by a torque of at most loss sqrt(1 + friction^2) [m]
-  double loss;
+  double loss = 0;
   Eigen::Vector3d normal;  // normal at its nearest point, into B, unit (3)
 };
 
@@ -41,7 +41,7 @@ struct ContactPatchOptions {
 /// Result of contact_patches().
 struct [[nodiscard]] ContactPatches {
   std::vector<ContactPatch> patches;  // patches, nearest first
-  bool complete;                      // true: no search reached max_evaluations
+  bool complete = false;              // true: no search reached max_evaluations
 };
 
 /// Finds the patches where body A touches body B.

@@ -23,7 +23,7 @@ struct JointStiffness {
 /// multiplied by the torque scale, so that all are forces and lengths.
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
-  double min_eigenvalue;          // stiffness of the softest direction [N/m]
+  double min_eigenvalue = 0;      // stiffness of the softest direction [N/m]
   ScaledMotion softest;  // unit displacement of the softest direction, rotation times scale
 };
 

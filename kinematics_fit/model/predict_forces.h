@@ -39,7 +39,7 @@ template <typename T>
 struct PosedSpecimen {
   VectorX<T> angles;   // joint angles with their errors [rad] (coordinates)
   TreeState<T> state;  // pose of the links
-  int key;             // index of the posture in the parameters' postures; -1: not named there
+  int key = -1;        // index of the posture in the parameters' postures; -1: not named there
   Mat3<T> cell;  // map from the tip's axes to the components of the load cell; rows of components
                  // that are not fitted are zero (3, 3)
 };

@@ -20,9 +20,9 @@ struct FingerBone {
   Eigen::Vector3d proximal, distal;  // ends of its line, joint centres or the tip [m] (3)
   Eigen::Vector3d along;             // unit direction towards proximal (3)
   Eigen::Vector3d dorsal, radial;    // unit directions square to `along` (3)
-  double length;                     // length of the line [m]
-  double ratio[2];  // ratio of the extensor's height to that in the net's reference finger, at the
-                    // proximal and distal end [1]
+  double length = 0;                 // length of the line [m]
+  double ratio[2]{};  // ratio of the extensor's height to that in the net's reference finger, at
+                      // the proximal and distal end [1]
 };
 
 /// Geometry of a finger on which a net is built.
@@ -30,7 +30,7 @@ struct FingerFrame {
   std::array<FingerBone, 4> bones;  // bones by BoneRole
   std::array<double, 3> height;  // height of the extensor over the joints' axes, by FingerJoint [m]
   Eigen::VectorXd straight;      // posture in which the bones' lines are parallel [rad]
-  double scale;                  // length of the phalanges over that of the reference finger [1]
+  double scale = 0;              // length of the phalanges over that of the reference finger [1]
 
   /// Returns the bone with a role.
   [[nodiscard]] const FingerBone& bone(BoneRole role) const {
