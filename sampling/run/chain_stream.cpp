@@ -15,11 +15,6 @@ constexpr std::int64_t kHeadBytes = 2 * sizeof(std::int64_t) + kDigestBytes;
 
 std::string digest(const std::string& numbers) { return sha256(numbers).substr(0, kDigestBytes); }
 
-/// Returns the size of a block in the file.
-std::int64_t block_bytes(const Eigen::MatrixXd& block) {
-  return kHeadBytes + block.size() * std::int64_t{sizeof(double)};
-}
-
 }  // namespace
 
 void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
@@ -35,7 +30,7 @@ void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   file_.append(head.bytes() + digest(numbers) + numbers);
 }
 
-Eigen::MatrixXd ChainStream::read_block(std::int64_t at) const {
+Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
   // Read the header of the block.
   const std::int64_t left = file_.size() - at;
   require(left >= kHeadBytes, "'{}' ends too early, at byte {}", file_.path(), at);
@@ -54,6 +49,7 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t at) const {
           "'{}' is damaged between bytes {} and {}", file_.path(), at,
           at + kHeadBytes + static_cast<std::int64_t>(numbers.size()));
   numbers.copy(reinterpret_cast<char*>(block.data()), numbers.size());
+  at += kHeadBytes + static_cast<std::int64_t>(numbers.size());
   return block;
 }
 
@@ -61,11 +57,7 @@ void ChainStream::resume(long columns) {
   // Skip whole blocks up to the column, and truncate the rest.
   std::int64_t at = 0;
   long found = 0;
-  while (found < columns) {
-    const Eigen::MatrixXd block = read_block(at);
-    found += block.cols();
-    at += block_bytes(block);
-  }
+  while (found < columns) found += read_block(at).cols();
   require(found == columns, "'{}' has no block that ends with column {}", file_.path(), columns);
   file_.truncate(at);
 }
@@ -74,10 +66,8 @@ Eigen::MatrixXd ChainStream::read() const {
   // Read and concatenate all blocks.
   std::vector<Eigen::MatrixXd> blocks;
   Eigen::Index columns = 0;
-  for (std::int64_t at = 0; at < file_.size(); at += block_bytes(blocks.back())) {
+  for (std::int64_t at = 0; at < file_.size(); columns += blocks.back().cols())
     blocks.push_back(read_block(at));
-    columns += blocks.back().cols();
-  }
   Eigen::MatrixXd all(rows_, columns);
   columns = 0;
   for (const Eigen::MatrixXd& block : blocks) {

@@ -31,7 +31,7 @@ class ChainStream {
   [[nodiscard]] Eigen::MatrixXd read() const;
 
  private:
-  [[nodiscard]] Eigen::MatrixXd read_block(std::int64_t at) const;
+  [[nodiscard]] Eigen::MatrixXd read_block(std::int64_t& at) const;
 
   AppendFile file_;
   Eigen::Index rows_;
