@@ -60,9 +60,9 @@ struct Normal {
 };
 
 // Gradients of a normal target give its covariance: that of 2000 draws alone would be off by
-// 1 / sqrt(1000) = 3 % of itself. What is left comes from shrinking by five draws of 2005: with
-// a = 2000 / 2005,  F F' = a (1 - a (1 - a))^(-1/2) C  is 0.13 % smaller than C, and sampling
-// errors change that by a few percent of it. 1 % is allowed.
+// 1 / sqrt(1000) = 3 % of itself. The previous factor, which is right here, is rescaled by 1, as z
+// and gradients have the same variances. A dense fit would be shrunk by five draws of 2005: with
+// a = 2000 / 2005,  F F' = a (1 - a (1 - a))^(-1/2) C  is 0.13 % smaller. 1 % covers both.
 TEST(LearnWhitening, FindsANormalTargetFromItsGradients) {
   const Normal target;
   const WindowDraws draws = target.draws(2000);
