@@ -41,6 +41,41 @@ Matrix sorted(const Matrix& columns, const std::vector<Index>& order) {
   return out;
 }
 
+/// Forces of a column's history at the end of a step.
+struct PastForces {
+  double normal = 0;           // normal force [N]
+  Vector3d friction{0, 0, 0};  // friction on the skin [N] (3)
+};
+
+PastForces past_forces(Index i, const MemoryStep& weights, const BedState& state) {
+  PastForces past;
+  for (std::size_t j = 0; j < weights.decay.size(); ++j) {
+    past.normal += weights.decay[j] * state.terms(j, i) - weights.change[j] * state.elastic[i];
+    past.friction += weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) -
+                     weights.change[j] * state.shear.col(i);
+  }
+  return past;
+}
+
+/// Advances a column's elastic forces and its history terms to the end of a step.
+/// @return whether a history term is above kMinHistoryForce
+bool advance_history(Index i, const MemoryStep& weights, double elastic, const Vector3d& shear,
+                     BedState& state) {
+  bool remains = false;
+  for (std::size_t j = 0; j < weights.decay.size(); ++j) {
+    state.terms(j, i) =
+        weights.decay[j] * state.terms(j, i) + weights.change[j] * (elastic - state.elastic[i]);
+    state.shear_terms.block<3, 1>(3 * j, i) =
+        weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) +
+        weights.change[j] * (shear - state.shear.col(i));
+    remains = remains || std::abs(state.terms(j, i)) > kMinHistoryForce ||
+              state.shear_terms.block<3, 1>(3 * j, i).norm() > kMinHistoryForce;
+  }
+  state.elastic[i] = elastic;
+  state.shear.col(i) = shear;
+  return remains;
+}
+
 }  // namespace
 
 FoundationBed::FoundationBed(FoundationColumns columns, const FoundationConstants& constants,
@@ -291,17 +326,6 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
   return friction.sticks;
 }
 
-FoundationBed::PastForces FoundationBed::past_forces(Index i, const MemoryStep& weights,
-                                                     const BedState& state) const {
-  PastForces past;
-  for (std::size_t j = 0; j < terms_.size(); ++j) {
-    past.normal += weights.decay[j] * state.terms(j, i) - weights.change[j] * state.elastic[i];
-    past.friction += weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) -
-                     weights.change[j] * state.shear.col(i);
-  }
-  return past;
-}
-
 FoundationBed::ColumnFriction FoundationBed::stick_or_slip(Index i, const Vector3d& n, double force,
                                                            Vector3d past, const StepInputs& inputs,
                                                            BedState& state) const {
@@ -324,23 +348,6 @@ FoundationBed::ColumnFriction FoundationBed::stick_or_slip(Index i, const Vector
           inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + out.elastic / spring);
   }
   return out;
-}
-
-bool FoundationBed::advance_history(Index i, const MemoryStep& weights, double elastic,
-                                    const Vector3d& shear, BedState& state) const {
-  bool remains = false;
-  for (std::size_t j = 0; j < terms_.size(); ++j) {
-    state.terms(j, i) =
-        weights.decay[j] * state.terms(j, i) + weights.change[j] * (elastic - state.elastic[i]);
-    state.shear_terms.block<3, 1>(3 * j, i) =
-        weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) +
-        weights.change[j] * (shear - state.shear.col(i));
-    remains = remains || std::abs(state.terms(j, i)) > kMinHistoryForce ||
-              state.shear_terms.block<3, 1>(3 * j, i).norm() > kMinHistoryForce;
-  }
-  state.elastic[i] = elastic;
-  state.shear.col(i) = shear;
-  return remains;
 }
 
 }  // namespace thenar

@@ -116,11 +116,6 @@ class FoundationBed {
     double friction;
     MemoryStep weights;
   };
-  /// Forces of a column's history at the end of a step.
-  struct PastForces {
-    double normal = 0;                  // normal force [N]
-    Eigen::Vector3d friction{0, 0, 0};  // friction on the skin [N] (3)
-  };
   struct ColumnFriction {
     Eigen::Vector3d elastic;         // friction as if nothing relaxed [N] (3)
     Eigen::Vector3d force{0, 0, 0};  // friction on the skin [N] (3)
@@ -133,19 +128,13 @@ class FoundationBed {
   /// @return whether the column sticks
   bool move_column(Eigen::Index i, double elastic, const Eigen::Vector3d& n,
                    const StepInputs& inputs, BedState& state) const;
-  [[nodiscard]] PastForces past_forces(Eigen::Index i, const MemoryStep& weights,
-                                       const BedState& state) const;
   /// Computes the friction of a touching column. Sets its anchor at first touch, and moves it if
   /// the column slips.
   /// @param force  normal force [N]
-  /// @param past  friction of the history, PastForces::friction [N] (3)
+  /// @param past  friction of the history [N] (3)
   [[nodiscard]] ColumnFriction stick_or_slip(Eigen::Index i, const Eigen::Vector3d& n, double force,
                                              Eigen::Vector3d past, const StepInputs& inputs,
                                              BedState& state) const;
-  /// Advances a column's elastic forces and its history terms to the end of a step.
-  /// @return whether a history term is above 1e-12 N
-  bool advance_history(Eigen::Index i, const MemoryStep& weights, double elastic,
-                       const Eigen::Vector3d& shear, BedState& state) const;
   void sum_contact(const Touches& found, const Eigen::VectorXd& forces, double friction,
                    BedContact& contact) const;
 

@@ -69,21 +69,21 @@ MuscleLayout muscle_layout(const DigitPullModel& model, const Contraction* contr
   out.contracts = contracting_muscles(model);
   out.total = static_cast<Index>(out.contracts.size());
   if (contraction == nullptr) return out;
-  for (int m = 0; m < out.total; ++m)
+  // List the contracting muscles, and store the lengths that scale the states.
+  out.fibre_length.resize(out.total);
+  out.length_at_optimum.resize(out.total);
+  for (int m = 0; m < out.total; ++m) {
     if (out.contracts[m]) out.contracting.push_back(m);
+    const Musculotendon& muscle = contraction->muscles()[m];
+    out.fibre_length[m] = muscle.optimal_fibre_length;
+    out.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
+  }
+  // Select the states.
   out.has_fibre = contraction->has_fibre_state();
   out.depends_on_velocity = !out.contracting.empty() && contraction->depends_on_velocity();
   out.has_excursion = out.has_fibre || contraction->depends_on_velocity();
   out.states = static_cast<Index>(out.contracting.size()) *
                (1 + (out.has_excursion ? 1 : 0) + (out.has_fibre ? 1 : 0));
-  // Store the lengths that scale the states.
-  out.fibre_length.resize(out.total);
-  out.length_at_optimum.resize(out.total);
-  for (Index m = 0; m < out.total; ++m) {
-    const Musculotendon& muscle = contraction->muscles()[m];
-    out.fibre_length[m] = muscle.optimal_fibre_length;
-    out.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
-  }
   return out;
 }
 

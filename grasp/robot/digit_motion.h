@@ -36,11 +36,9 @@ struct FixedJaw {
   double opening = 0;  // distance from the face to the outer half of the open jaw [m]
 };
 
-/// Source of the directions and the posture in which a hand closes.
-enum class ClosingSource {
-  kStated,   // the speeds of the hand's drives, from the hand's open posture
-  kInferred  // several directions and postures are tried
-};
+/// Source of the directions in which a hand closes: the stated speeds of its drives, from its open
+/// posture; or several directions and postures that are tried.
+enum class ClosingSource { kStated, kInferred };
 
 /// Motion of a hand's digits by its drives. Constant after construction; the grasp must outlive it.
 class DigitMotion {

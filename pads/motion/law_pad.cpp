@@ -51,6 +51,17 @@ double changed_spring(const Vector3d& force, const Vector3d& change, double patc
   return patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
 }
 
+/// Returns whether the deepest skin is at the middle of a thin object or beyond it, where depth is
+/// undefined.
+/// @param normal  outward normal of the object there, in the pad's frame, unit (3)
+bool is_behind(const DeepestSkin& deepest, const Shape& skin, const Shape& object,
+               const Pose<double>& X_OP, const Vector3d& normal) {
+  // On the near side the normals oppose each other, and depth increases along the normal.
+  const Vector3d deeper = deepest.place - kExtraDepthShare * deepest.overlap * normal;
+  return normal.dot(skin.nearest(deepest.place).normal) > 0 ||
+         object.distance(X_OP * deeper) > -(1 + 0.5 * kExtraDepthShare) * deepest.overlap;
+}
+
 }  // namespace
 
 LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
@@ -95,7 +106,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   }
   moved_.touched = true;
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
-  if (is_behind(deepest, X_OP, out.normal)) {
+  if (is_behind(deepest, *skin_, *object_.shape, X_OP, out.normal)) {
     moved_ = kept_;
     return behind_object();
   }
@@ -129,14 +140,6 @@ DeepestSkin LawPad::find_deepest(const Pose<double>& X_OP) {
     moved_.lead = deepest.lead;
   }
   return deepest;
-}
-
-bool LawPad::is_behind(const DeepestSkin& deepest, const Pose<double>& X_OP,
-                       const Vector3d& normal) const {
-  // On the near side the normals oppose each other, and depth increases along the normal.
-  const Vector3d deeper = deepest.place - kExtraDepthShare * deepest.overlap * normal;
-  return normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
-         object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kExtraDepthShare) * deepest.overlap;
 }
 
 double LawPad::stored_energy(double depth, double slope) const {

@@ -59,11 +59,6 @@ class LawPad final : public MovingPad {
   /// Finds the deepest skin at the pose of `moved_`, with only an upper bound of the overlap of a
   /// distant object. Stores the point on the disc, and the pose of a search of the whole skin.
   [[nodiscard]] DeepestSkin find_deepest(const Pose<double>& X_OP);
-  /// Returns whether the deepest skin is at the middle of a thin object or beyond it, where depth
-  /// is undefined.
-  /// @param normal  outward normal of the object there, in the pad's frame, unit (3)
-  [[nodiscard]] bool is_behind(const DeepestSkin& deepest, const Pose<double>& X_OP,
-                               const Eigen::Vector3d& normal) const;
   /// Computes friction and torsion of a step and advances their history.
   /// @param at  centre of the patch [m] (3)
   [[nodiscard]] Friction update_friction(const LawContact& contact, const Eigen::Vector3d& at,
