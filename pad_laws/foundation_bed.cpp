@@ -20,8 +20,7 @@ using Eigen::VectorXd;
 constexpr std::size_t kReservedTouches = 256;  // columns for which memory is reserved
 constexpr double kMinHistoryForce = 1e-12;     // force below which history is dropped [N]
 constexpr Index kLeafColumns = 12;             // columns of a leaf of the tree, tested together
-constexpr double kTurnArm = 10e-3;    // lever arm that converts rotations to displacements [m]
-constexpr double kLevelSlope = 1e-3;  // least slope between the surfaces [1]
+constexpr double kLevelSlope = 1e-3;           // least slope between the surfaces [1]
 // Least cosine of the normals of object and skin on the object's far side [1]
 constexpr double kFarSideCosine = 0.5;
 // Margin below the friction cone within which a column slips, over the cone's bound [1]
@@ -224,32 +223,6 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
   }
   sum_contact(found, forces, friction, contact);
   return contact;
-}
-
-Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const Pose<double>& X_PO,
-                                                     double step) const {
-  check_pose(X_PO, 0);
-  require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
-  Eigen::Matrix<double, 6, 6> K;
-  for (int k = 0; k < 6; ++k) {
-    // Scale rotations so that they cause `step` at the lever kTurnArm.
-    const double change = k < 3 ? step / kTurnArm : step;
-    const auto push = [&](double by) {
-      Pose<double> X = X_PO;
-      if (k < 3) {
-        const Eigen::Matrix3d turn = rotation_about<double>(Vector3d::Unit(k), by);
-        X = {turn * X.R, turn * X.p};
-      } else {
-        X.p[k - 3] += by;
-      }
-      const Wrench found = press(object, X).push;
-      Eigen::Matrix<double, 6, 1> out;
-      out << found.moment, found.force;
-      return out;
-    };
-    K.col(k) = (push(change) - push(-change)) / (2 * change);
-  }
-  return K;
 }
 
 void FoundationBed::initialize(BedState& state) const {

@@ -76,13 +76,6 @@ class FoundationBed {
   [[nodiscard]] BedContact step(const Shape& object, const Pose<double>& X_PO, double friction,
                                 double seconds, BedState& state) const;
 
-  /// Returns the slope of press()'s wrench by the object's motion, moment and rotation first, about
-  /// the pad's origin (6, 6), by central differences.
-  /// @param step  displacement; rotations cause the same at a lever of 10 mm [m]
-  /// @throws InputError as press(), or unless the step is positive and finite.
-  [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(const Shape& object, const Pose<double>& X_PO,
-                                                      double step = 1e-6) const;
-
   /// Returns the columns in the order of the state.
   [[nodiscard]] const FoundationColumns& columns() const { return columns_; }
   [[nodiscard]] const FoundationConstants& constants() const { return constants_; }
