@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/units.h"
 
 namespace thenar {
 namespace {
@@ -177,10 +176,9 @@ LawPad::Friction LawPad::update_friction(const LawContact& contact, const Vector
     elastic[k] = memory.x + stretch[k];
   }
   // Update the stiffness that stores the friction's energy.
-  const std::array<ExponentialMemory, 4>& before = moved_.friction;
-  sliding = changed_spring({before[0].x, before[1].x, before[2].x}, stretch.head<3>(), stiffness,
-                           sliding);
-  twisting = changed_spring({before[3].x, 0, 0}, {stretch[3], 0, 0}, twisted, twisting);
+  const auto& [fx, fy, fz, torque] = moved_.friction;
+  sliding = changed_spring({fx.x, fy.x, fz.x}, stretch.head<3>(), stiffness, sliding);
+  twisting = changed_spring({torque.x, 0, 0}, {stretch[3], 0, 0}, twisted, twisting);
   // Compute the trial force of a sticking patch.
   Vector4d trial = weights.now * elastic + past;
   const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
