@@ -271,11 +271,10 @@ void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& his
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    element_response(kind_,
-                     {element.shape, tissues_[element.region], element_displacements(element, u),
-                      steps[element.region], element_history(e, history),
-                      tangent_pressure.empty() ? nullptr : &tangent_pressure[e]},
-                     request, response);
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &steps[element.region],
+                     &element_history(e, history),
+                     tangent_pressure.empty() ? nullptr : &tangent_pressure[e], request, response);
     if (response.inverted) {
       out.inverted = true;
       return;
@@ -324,10 +323,9 @@ TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
     // Compute the elastic stress at the end of the step.
     ElementHistory at = element_history(e, history);
     const std::size_t points = at.elastic.size();
-    element_response(
-        kind_,
-        {element.shape, tissues_[element.region], element_displacements(element, u), step, at},
-        ElementRequest::kForce, response);
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &step, &at, nullptr, ElementRequest::kForce,
+                     response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
     // Decay the history terms, and add the change of the elastic stress.
     if (!step.decay.empty()) {
@@ -403,10 +401,9 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    element_response(kind_,
-                     {element.shape, tissues_[element.region], element_displacements(element, u),
-                      steps[element.region], element_history(e, history)},
-                     ElementRequest::kForce, response);
+    element_response(kind_, element.shape, tissues_[element.region],
+                     element_displacements(element, u), &steps[element.region],
+                     &element_history(e, history), nullptr, ElementRequest::kForce, response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
     // Assign forces on hanging nodes to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {

@@ -320,70 +320,23 @@ class Dilatation {
   bool fits_ = true;
 };
 
-/// Gauss points of an element, and what is summed over them.
 template <int N>
-struct ElementPoints {
-  PointKinematics kinematics;
-  PointStresses stresses;
-  IsochoricResponse iso;                   // workspace of one point
-  std::array<double, N> extra_pressure{};  // pressure in the stiffness over that in forces [J]
-};
-
-/// Adds the energy of a Gauss point, and computes its stress and tangent as far as requested.
-template <int N>
-void add_point(const ElementStep& in, const Dilatation<N>& dilatation, std::size_t q,
-               ElementRequest request, ElementPoints<N>& points, ElementResponse& out) {
-  constexpr int kPoints = padded_points(N);
-  const MemoryStep& step = in.step;
-  const bool relaxes = !step.decay.empty(), with_stiffness = request == ElementRequest::kStiffness;
-  // Compute the isochoric response of the point, as if nothing relaxed.
-  const Matrix3d F = deformation_at(points.kinematics, kPoints, static_cast<int>(q));
-  const double w = in.shape.volume[q], J = points.kinematics.J[q];
-  IsochoricResponse& iso = points.iso;
-  isochoric_response(in.tissue, F, with_stiffness, iso);
-  out.energy += w * step.now * iso.energy;
-  // Sum the second Piola-Kirchhoff stress of the history; its energy is linear in C.
-  Voigt past = Voigt::Zero();
-  if (relaxes) {
-    for (std::size_t i = 0; i < step.decay.size(); ++i)
-      past += step.decay[i] * in.history.terms[i * N + q] - step.change[i] * in.history.elastic[q];
-    const Matrix3d C = F.transpose() * F;
-    out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
-  }
-  if (request == ElementRequest::kEnergy) return;
-  // Sum the Kirchhoff stress: isochoric part, history pushed forward, and pressure. Pull the
-  // elastic stress back to the reference for the history.
-  Voigt tau = step.now * iso.stress;
-  if (relaxes) {
-    const Matrix3d inverse = F.inverse();
-    out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
-    tau += voigt_of(F * tensor_of(past) * F.transpose());
-  }
-  tau.head<3>().array() += dilatation.pressure(q) * J;
-  // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
-  if (with_stiffness) {
-    iso.tangent *= step.now;
-    const double tangent_pJ = dilatation.tangent_pressure(q) * J;
-    add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
-    points.extra_pressure[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
-  }
-  set_point(kPoints, static_cast<int>(q), w, tau, with_stiffness ? &iso.tangent : nullptr,
-            points.stresses);
-}
-
-template <int N>
-void respond(HexElement kind, const ElementStep& in, ElementRequest request, ElementResponse& out) {
+void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
+             const MemoryStep* step, const ElementHistory* history,
+             const Eigen::Vector4d* tangent_pressure, ElementRequest request,
+             ElementResponse& out) {
   // Compute the deformation at all points.
   constexpr int kPoints = padded_points(N);
-  ElementPoints<N> points;
-  const PointKinematics& at = points.kinematics;
-  point_kinematics(N, kPoints, in.shape.gradient.data(), in.u.data(), points.kinematics);
-  out.inverted = !std::all_of(at.J, at.J + N, [](double J) { return J > 0; });
+  PointKinematics points;
+  point_kinematics(N, kPoints, shape.gradient.data(), u, points);
+  out.inverted = !std::all_of(points.J, points.J + N, [](double J) { return J > 0; });
   if (out.inverted) return;
   // Compute the dilatation of this kind of element; it counts as inverted unless it is positive.
-  const Dilatation<N> dilatation(kind, in.shape, in.tissue, at, in.u.data(), in.tangent_pressure);
-  out.inverted = !dilatation.fits();
-  if (out.inverted) return;
+  const Dilatation<N> dilatation(kind, shape, tissue, points, u, tangent_pressure);
+  if (!dilatation.fits()) {
+    out.inverted = true;
+    return;
+  }
   // Reset the requested results.
   const bool with_force = request != ElementRequest::kEnergy,
              with_stiffness = request == ElementRequest::kStiffness;
@@ -391,22 +344,59 @@ void respond(HexElement kind, const ElementStep& in, ElementRequest request, Ele
   if (with_force) out.force.setZero(3 * N);
   if (with_stiffness) out.stiffness.setZero(3 * N, 3 * N);
   if (with_force) out.elastic.resize(N);
-  // Give the padding points zero weight, and compute the others.
-  points.iso.tangent.setZero();
-  for (int q = N; q < kPoints; ++q)
-    set_point(kPoints, q, 0, Voigt::Zero(), &points.iso.tangent, points.stresses);
-  for (std::size_t q = 0; q < N; ++q) add_point(in, dilatation, q, request, points, out);
+  const double now = step != nullptr ? step->now : 1;
+  const bool relaxes = step != nullptr && !step->decay.empty();
+  IsochoricResponse iso;
+  iso.tangent.setZero();
+  PointStresses stresses;
+  std::array<double, N> more{};  // pressure of the stiffness over that of forces
+  // Give the padding points zero weight.
+  for (int q = N; q < kPoints; ++q) set_point(kPoints, q, 0, Voigt::Zero(), &iso.tangent, stresses);
+  for (std::size_t q = 0; q < N; ++q) {
+    // Compute the isochoric response of the point, as if nothing relaxed.
+    const Matrix3d F = deformation_at(points, kPoints, static_cast<int>(q));
+    const double w = shape.volume[q], J = points.J[q];
+    isochoric_response(tissue, F, with_stiffness, iso);
+    out.energy += w * now * iso.energy;
+    // Sum the second Piola-Kirchhoff stress of the history; its energy is linear in C.
+    Voigt past = Voigt::Zero();
+    if (relaxes) {
+      for (std::size_t i = 0; i < step->decay.size(); ++i)
+        past += step->decay[i] * history->terms[i * N + q] - step->change[i] * history->elastic[q];
+      const Matrix3d C = F.transpose() * F;
+      out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
+    }
+    if (!with_force) continue;
+    // Pull the elastic stress back to the reference for the history.
+    if (relaxes) {
+      const Matrix3d inverse = F.inverse();
+      out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
+    }
+    // Sum the Kirchhoff stress: isochoric part, history pushed forward, and pressure.
+    Voigt tau = now * iso.stress;
+    if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
+    tau.head<3>().array() += dilatation.pressure(q) * J;
+    // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
+    if (with_stiffness) {
+      iso.tangent *= now;
+      const double tangent_pJ = dilatation.tangent_pressure(q) * J;
+      add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
+      more[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
+    }
+    set_point(kPoints, static_cast<int>(q), w, tau, with_stiffness ? &iso.tangent : nullptr,
+              stresses);
+  }
   if (!with_force) return;
   // Integrate over the points; the geometric stiffness uses the pressure of the tangent.
-  add_forces(N, kPoints, at.g, points.stresses, out.force.data());
+  add_forces(N, kPoints, points.g, stresses, out.force.data());
   if (with_stiffness) {
     for (int p = 0; p < 3; ++p)
       for (std::size_t q = 0; q < N; ++q)
-        points.stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += points.extra_pressure[q];
-    add_stiffness(N, kPoints, at.g, points.stresses, out.stiffness.data());
+        stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += more[q];
+    add_stiffness(N, kPoints, points.g, stresses, out.stiffness.data());
   }
   // Add the contributions of the dilatation that couple points.
-  dilatation.add(at, with_stiffness, out.force.data(), out.stiffness.data());
+  dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
 }
 
 template <int N>
@@ -468,12 +458,14 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
   return table.value[point * static_cast<std::size_t>(table.nodes) + node];
 }
 
-void element_response(HexElement kind, const ElementStep& in, ElementRequest request,
-                      ElementResponse& out) {
+void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
+                      const Eigen::Matrix3Xd& u, const MemoryStep* step,
+                      const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
+                      ElementRequest request, ElementResponse& out) {
   if (node_count(kind) == 27)
-    respond<27>(kind, in, request, out);
+    respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
   else
-    respond<8>(kind, in, request, out);
+    respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
 }
 
 Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape, const Tissue& tissue,

@@ -47,7 +47,7 @@ struct Case {
   }
   ElementResponse at(const Matrix3Xd& where, ElementRequest ask) const {
     ElementResponse out;
-    element_response(kind, {shape, tissue, where, step, history}, ask, out);
+    element_response(kind, shape, tissue, where, &step, &history, nullptr, ask, out);
     return out;
   }
 
