@@ -23,7 +23,7 @@ struct ContactPatch {
   /// Maximum distance of a touching point from the hull of the contacts; it changes the wrench of
   /// unit normal force by a torque of at most loss sqrt(1 + friction^2) [m]
   double loss = 0;
-  Eigen::Vector3d normal;  // normal at its nearest point, into B, unit (3)
+  Eigen::Vector3d normal{0, 0, 0};  // normal at its nearest point, into B, unit (3)
 };
 
 /// Settings of contact_patches().
@@ -41,7 +41,7 @@ struct ContactPatchOptions {
 /// Result of contact_patches().
 struct [[nodiscard]] ContactPatches {
   std::vector<ContactPatch> patches;  // patches, nearest first
-  bool complete = false;              // true: no search reached max_evaluations
+  bool complete;                      // true: no search reached max_evaluations
 };
 
 /// Finds the patches where body A touches body B.

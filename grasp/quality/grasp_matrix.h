@@ -24,7 +24,7 @@ struct GraspMatrixMeasures {
   double min_singular_value = 0;  // distance from losing rank; 0 below full rank [1]
   double isotropy = 0;  // smallest over largest singular value; 1: equal in all directions [1]
   double volume = 0;    // sqrt(det G G'), product of singular values: volume of the ellipsoid of
-                      // wrenches of forces |f| = 1, over that of the unit ball [1]
+                        // wrenches of forces |f| = 1, over that of the unit ball [1]
   int internal_forces = 0;  // dimension of the null space of G: internal forces
 };
 

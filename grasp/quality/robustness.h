@@ -38,7 +38,7 @@ struct RobustnessOptions {
 struct Robustness {
   double closure = 0;        // share of samples with force closure [1]
   double closure_lower = 0;  // lower end of Wilson's 95 % interval of its probability [1]
-  double closure_upper = 0;  // upper end [1]
+  double closure_upper = 1;  // upper end [1]
   Eigen::VectorXd epsilon;   // certified lower bounds, ascending; -infinity for misses (draws)
   int misses = 0;            // number of samples without any contact
 
@@ -59,7 +59,7 @@ struct Robustness {
 
 /// Confidence interval of a probability.
 struct ConfidenceInterval {
-  double lower = 0, upper = 0;  // [1]
+  double lower, upper;  // [1]
 };
 /// Computes Wilson's 95 % interval of a probability, from `hits` in `trials`. Source: [Wilson1927].
 [[nodiscard]] ConfidenceInterval wilson_interval(int hits, int trials);
