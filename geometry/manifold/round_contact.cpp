@@ -53,7 +53,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
   memory.overlapped = least < 0;
   if (least > margin) return least;
 
-  // Add ends that are beside the other hull.
+  // Ends that are beside the other hull.
   double least_end = std::numeric_limits<double>::infinity();
   const auto add_end = [&](const SegmentParameters& end) {
     const ManifoldPoint point = ball_on_ball(a, b, end, memory);
@@ -67,7 +67,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
       if (t > 0 && t < 1) add_end({end, t});
       if (s > 0 && s < 1) add_end({s, end});
     }
-  // Add the nearest balls, unless an end is as near.
+  // The nearest balls, unless an end is as near.
   if (!(least_end < least + kMiddleGain)) points.push_back(nearest);
   return least;
 }
@@ -96,7 +96,7 @@ AxisRange over_same_face(const BallHull& a, const CollisionPart& b, double t) {
       if (std::abs(p(k)) < b.half(k) + kFaceTolerance)
         range.keep(a.p0(k), a.axis(k), -b.half(k), b.half(k));
   } else if (b.form == PartForm::kCylinder) {
-    // Keep the range above the side between the caps, or above a cap within the rim.
+    // Above the side between the caps, above a cap within the rim.
     if (std::abs(p.z()) < b.half.z() + kFaceTolerance)
       range.keep(a.p0.z(), a.axis.z(), -b.half.z(), b.half.z());
     const double aa = a.axis.head<2>().squaredNorm(), radius = b.half.x();
@@ -142,7 +142,7 @@ double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
   memory.overlapped = nearest.gap < 0;
   if (nearest.gap > margin) return nearest.gap;
 
-  // Add the ends of the part of the axis above the same face.
+  // The ends of the part of the axis above the same face.
   const AxisRange range = over_same_face(a, part_b, t);
   double least_end = std::numeric_limits<double>::infinity();
   if (range.to > range.from)
