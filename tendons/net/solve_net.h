@@ -100,16 +100,4 @@ class NetSolver {
   std::unique_ptr<Workspace> work_;
 };
 
-// One net at many postures.
-
-/// Solves the net at one posture after another, each time from the last balanced equilibrium, so
-/// that a band on a bone stays on its side of a joint.
-/// @param postures  postures [rad] (coordinates) each
-/// @param start     initial nodes at the first one, world [m] (3, nodes); empty: each where its
-/// link carries NetNode::p
-/// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
-[[nodiscard]] std::vector<NetEquilibrium> solve_postures(
-    NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,
-    const NetDrive& drive, Eigen::Matrix3Xd start = {});
-
 }  // namespace thenar

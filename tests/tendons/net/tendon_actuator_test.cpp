@@ -9,12 +9,11 @@
 
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/build_tendons.h"
 #include "tendons/net/digit_sweep.h"
-#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/net/sweep_net.h"
 
 namespace thenar {
 namespace {
