@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "questions/schema.h"
+#include "report/fields.h"
 #include "report/json.h"
 
 namespace thenar {
@@ -41,6 +42,10 @@ struct RpcMethod {
 /// @param params  validated parameters
 [[nodiscard]] std::map<std::string, double> named_numbers(const Json& params,
                                                           const std::string& member);
+
+/// Returns a reply in SI, the unit in each key: "gap_m". A field whose key had no unit in earlier
+/// versions (units::kMetreBare) is also written under that key: "gap".
+[[nodiscard]] OrderedJson reply_json(const Fields& fields);
 
 /// Table of methods by name, in the order of the documentation.
 class MethodTable {
