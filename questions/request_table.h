@@ -46,9 +46,11 @@ struct Param {
 
 /// Checks a request, and converts it to SI with keys without units.
 /// @param request  object whose keys have SI or printed units
+/// @param syntax   language in which it was written
 /// @throws InputError with the field, for an unknown key, a key given in two units, an invalid
 ///         value or a missing parameter
-[[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request);
+[[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request,
+                                 RequestSyntax syntax = RequestSyntax::kJson);
 
 /// Returns the schema of a request whose keys have SI units.
 /// @param scope  kAnywhere: without local parameters
