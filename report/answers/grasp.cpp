@@ -30,8 +30,8 @@ const LinkSurface& surface_of(const GraspResult& result, const HandContact& cont
 
 /// One number where both bounds show as the same.
 std::string bounds_text(const Epsilon& e) {
-  const std::string lower = fmt::format("{:.6g}", without_rounding(e.lower));
-  const std::string upper = fmt::format("{:.6g}", without_rounding(e.upper));
+  const std::string lower = fmt::format("{:.6g}", epsilon_or_zero(e.lower));
+  const std::string upper = fmt::format("{:.6g}", epsilon_or_zero(e.upper));
   return lower == upper ? lower : fmt::format("between {} and {}", lower, upper);
 }
 
