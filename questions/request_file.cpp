@@ -141,15 +141,15 @@ std::string request_text(const std::string& question, const OrderedJson& request
 
 std::string request_template(const Question& question) {
   // Write each parameter, with its default value as a comment, so that the file is valid.
-  std::string text =
-      fmt::format("# {}\n{} = {}\n", question.about, kQuestionKey, toml_quoted(question.name));
+  std::string text = fmt::format("# {}\n{} = {}\n", question.description, kQuestionKey,
+                                 toml_quoted(question.name));
   const Json example = Json::parse(question.example);
   for (const Param& param : question.params) {
     // Use keys in printed units, because users edit the file.
     if (param.is_twin) continue;
     const std::string key = param.key_in(UnitSystem::kPrinted);
     const Schema schema = param.schema_in(UnitSystem::kPrinted);
-    text += fmt::format("\n# {}\n", param.member.about);
+    text += fmt::format("\n# {}\n", param.member.description);
     if (!schema.words.empty()) text += fmt::format("# One of {}.\n", listed(schema.words));
     if (example.contains(key))
       text += fmt::format("{} = {}\n", toml_key(key), toml_of(example[key]));

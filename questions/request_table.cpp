@@ -105,9 +105,9 @@ Json request_in_si(const std::vector<Param>& params, const Json& request, Reques
   // Check that all required parameters are there, in either unit.
   for (const Param& param : params)
     if (param.member.required && !si.contains(param.member.name))
-      throw InputError(
-          fmt::format("'{}' is missing: {}", param.key_in(UnitSystem::kSi), param.member.about),
-          param.member.name);
+      throw InputError(fmt::format("'{}' is missing: {}", param.key_in(UnitSystem::kSi),
+                                   param.member.description),
+                       param.member.name);
   return si;
 }
 

@@ -309,7 +309,7 @@ OrderedJson json_schema(const Schema& schema) {
       OrderedJson required = OrderedJson::array();
       for (const SchemaMember& member : schema.members) {
         OrderedJson property = json_schema(member.schema);
-        property["description"] = member.about;
+        property["description"] = member.description;
         if (!member.default_value.is_null()) property["default"] = member.default_value;
         out["properties"][member.name] = std::move(property);
         if (member.required) required.push_back(member.name);

@@ -40,7 +40,7 @@ struct Schema {
 struct SchemaMember {
   std::string name;
   Schema schema;
-  std::string about;  // description, one sentence
+  std::string description;  // one sentence
   bool required = false;
   Json default_value = nullptr;  // value if the member is missing; null: none
 };

@@ -29,11 +29,11 @@ struct RpcMethod {
   using Handler =
       std::function<OrderedJson(Session& session, const Json& params, const Progress& progress)>;
 
-  std::string name;     // "hand.close"
-  std::string about;    // description, one sentence
-  Schema params;        // schema of the parameters, an object
-  std::string returns;  // description of the result, with units
-  std::string example;  // valid parameters as JSON; tests send them
+  std::string name;         // "hand.close"
+  std::string description;  // one sentence
+  Schema params;            // schema of the parameters, an object
+  std::string returns;      // description of the result, with units
+  std::string example;      // valid parameters as JSON; tests send them
   Handler handler;
   MethodWrites writes = MethodWrites::kNothing;
 };

@@ -231,7 +231,7 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
 }
 
 std::string explanation(const GraspResult& result) {
-  std::string words = outcome_words(result.grasp);
+  std::string words = describe_outcome(result.grasp);
   if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.approach_distance > 0)
     return words;
   return words + (result.setting.hand.parts.size() > 1
