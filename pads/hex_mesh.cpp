@@ -208,10 +208,41 @@ void HexMesh::refine(const std::vector<int>& cells) {
   }
 }
 
+void HexMesh::coarsen(const std::vector<int>& cells) {
+  for (const int index : cells) {
+    HexCell& cell = cells_[index];
+    const int first = cell.first_child;
+    if (first < 0) continue;
+    // Skip cells with a child that has children.
+    const bool bare = std::all_of(cells_.begin() + first, cells_.begin() + first + 8,
+                                  [](const HexCell& child) { return child.first_child < 0; });
+    if (!bare) continue;
+    // Remove the children, and restore them if the balance is lost.
+    cell.first_child = -1;
+    list_active();
+    if (must_split(cell)) {
+      cells_[index].first_child = first;
+      list_active();
+    }
+  }
+}
+
 void HexMesh::list_active() {
+  // Descend from the coarsest cells, so that removed children are skipped.
   active_.clear();
+  std::vector<int> open;
   for (std::size_t c = 0; c < cells_.size(); ++c)
-    if (cells_[c].first_child < 0) active_.push_back(static_cast<int>(c));
+    if (cells_[c].parent < 0) open.push_back(static_cast<int>(c));
+  while (!open.empty()) {
+    const int cell = open.back();
+    open.pop_back();
+    const int child = cells_[cell].first_child;
+    if (child < 0)
+      active_.push_back(cell);
+    else
+      for (int k = 0; k < 8; ++k) open.push_back(child + k);
+  }
+  std::sort(active_.begin(), active_.end());
   // Mark the nodes of active cells as used.
   in_use_.assign(chart_points_.size(), false);
   for (const int cell : active_)

@@ -62,6 +62,9 @@ class HexMesh {
 
   /// Splits cells into eight, and further cells to keep the balance. Skips cells with children.
   void refine(const std::vector<int>& cells);
+  /// Replaces the children of cells by the cells, where all eight are active and the balance allows
+  /// it.
+  void coarsen(const std::vector<int>& cells);
 
   [[nodiscard]] const std::vector<HexCell>& cells() const { return cells_; }
   /// Returns the cells without children, in increasing order.

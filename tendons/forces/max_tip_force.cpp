@@ -223,4 +223,36 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   return result;
 }
 
+MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench) {
+  const auto& [moment, force] = wrench;
+  const internal::TipBalance balance = internal::tip_balance(statics);
+  require(moment.allFinite() && force.allFinite(), "a wrench must be finite");
+  require(!moment.isZero(0) || !force.isZero(0), "a wrench must not be zero");
+  require(moment.isZero(0) || has_rotation(statics),
+          "a moment needs the rotation Jacobian W of the tip");
+
+  // Compute the joint torques of one such wrench, with rounding errors set to zero.
+  VectorXd torque = statics.J.transpose() * force;
+  double size = statics.J.norm() * force.norm();
+  if (has_rotation(statics)) {
+    torque += statics.W.transpose() * moment;
+    size += statics.W.norm() * moment.norm();
+  }
+  VectorXd load = balance.row_scale.cwiseProduct(
+      (torque.array().abs() > internal::kRankTolerance * size).select(torque, 0));
+  const double unit = load.norm() > 0 ? 1 / load.norm() : 1;
+  load *= unit;
+
+  const LinearResult best = maximise({balance, load, {}}).best;
+  const Status status = best.status;
+  MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.upper.size()),
+                      VectorXd::Zero(balance.upper.size()), MaxTipForceCheck::kUnknown};
+  if (status != Status::kSolved) return result;
+  result.multiple = unit * best.x(0);
+  result.gap = unit * best.certificate.gap;
+  result.tension = internal::tension(balance, best.x.tail(balance.upper.size()));
+  result.activation = internal::activation(statics, result.tension);
+  return result;
+}
+
 }  // namespace thenar

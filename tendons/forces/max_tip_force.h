@@ -1,6 +1,6 @@
 #pragma once
 
-/// Largest static force of a fingertip, by linear programming.
+/// Largest static force or wrench of a fingertip, by linear programming.
 
 #include <Eigen/Core>
 
@@ -79,5 +79,24 @@ struct MaxTipForceOptions {
 /// Source: [ValeroCuevas1998]; the cutting planes are Kelley's [Kelley1960].
 [[nodiscard]] MaxTipForce max_tip_force(const TipStatics& statics, const Eigen::Vector3d& direction,
                                         const MaxTipForceOptions& options = {});
+
+/// Result of max_tip_wrench().
+struct MaxTipWrench {
+  Status status;               // read this first
+  double multiple;             // multiple of the given wrench; infinite if unbounded [1]
+  Eigen::VectorXd tension;     // tensions that produce it [N] (m)
+  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero [1] (m)
+  double gap;  // duality gap: bound of how much larger the multiple can be; NaN unless solved [1]
+};
+
+/// Computes the largest multiple of a wrench that a tip can hold, all other components zero:
+///
+///   maximise s >= 0  subject to  s (J' f + W' m) = R' t + tau_0,  0 <= t <= F0.
+///
+/// @param statics  one posture; W may be absent if the moment is zero
+/// @param wrench   m about the tip, and f; world frame [N m], [N]
+/// @throws InputError as max_tip_force(), or if a moment is wanted and W is absent.
+/// Source: [ValeroCuevas1998].
+[[nodiscard]] MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench);
 
 }  // namespace thenar

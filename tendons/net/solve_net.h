@@ -90,7 +90,7 @@ class NetSolver {
   /// Solves for the equilibrium.
   /// @param state  pose of the links, from pose_tree()
   /// @param start  initial nodes, world [m] (3, nodes); null: each where its link carries
-  /// NetNode::p
+  ///         NetNode::p
   /// @throws InputError if shapes disagree, or a tension is negative or not finite.
   NetEquilibrium solve(const TreeState<double>& state, const NetDrive& drive,
                        const Eigen::Matrix3Xd* start = nullptr);
@@ -99,5 +99,17 @@ class NetSolver {
   struct Workspace;
   std::unique_ptr<Workspace> work_;
 };
+
+// One net at many postures.
+
+/// Solves the net at one posture after another, each time from the last balanced equilibrium, so
+/// that a band on a bone stays on its side of a joint.
+/// @param postures  postures [rad] (coordinates) each
+/// @param start     initial nodes at the first one, world [m] (3, nodes); empty: each where its
+/// link carries NetNode::p
+/// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
+[[nodiscard]] std::vector<NetEquilibrium> solve_postures(
+    NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,
+    const NetDrive& drive, Eigen::Matrix3Xd start = {});
 
 }  // namespace thenar

@@ -48,24 +48,26 @@ TipStatics straight_finger() {
 }
 
 struct Published {
-  Vector3d direction;
-  double largest;  // [N], by vertex enumeration over the published map
+  Vector3d moment, force;
+  double largest;  // [N] or [N m], by vertex enumeration over the published map
 };
 
 class PublishedIndex : public testing::TestWithParam<Published> {};
 
-TEST_P(PublishedIndex, LargestForceAgrees) {
+TEST_P(PublishedIndex, LargestWrenchAgrees) {
   const Published& p = GetParam();
-  const MaxTipForce result = max_tip_force(published_index(), p.direction);
+  const MaxTipWrench result = max_tip_wrench(published_index(), {p.moment, p.force});
   EXPECT_EQ(result.status, Status::kSolved);
-  EXPECT_NEAR(result.component, p.largest, 0.0006);  // half a unit of the last printed digit
+  EXPECT_NEAR(result.multiple, p.largest, 0.0006);  // half a unit of the last printed digit
 }
 
 const Vector3d kAlongX(1, 0, 0), kAlongY(0, 1, 0), kAlongZ(0, 0, 1), kNone(0, 0, 0);
-INSTANTIATE_TEST_SUITE_P(Directions, PublishedIndex,
-                         testing::Values(Published{kAlongX, 28.812}, Published{kAlongY, 6.758},
-                                         Published{kAlongZ, 40.284}, Published{-kAlongX, 17.593},
-                                         Published{-kAlongY, 25.497}, Published{-kAlongZ, 15.292}));
+INSTANTIATE_TEST_SUITE_P(
+    Directions, PublishedIndex,
+    testing::Values(Published{kNone, kAlongX, 28.812}, Published{kNone, kAlongY, 6.758},
+                    Published{kNone, kAlongZ, 40.284}, Published{kAlongX, kNone, 0.358},
+                    Published{kNone, -kAlongX, 17.593}, Published{kNone, -kAlongY, 25.497},
+                    Published{kNone, -kAlongZ, 15.292}, Published{-kAlongX, kNone, 0.176}));
 
 TEST(MaxTipForce, MatchesPublishedIndexFinger) {
   const MaxTipForce result = max_tip_force(published_index(), kAlongX);
@@ -199,6 +201,15 @@ TEST(MaxTipForce, RefusesBadCalls) {
   TipStatics statics = cross();
   statics.max_tension(2) = nan;
   EXPECT_THROW((void)max_tip_force(statics, kAlongX), InputError);
+}
+
+TEST(MaxTipWrench, MomentNeedsRotationJacobian) {
+  EXPECT_THROW((void)max_tip_wrench(cross(), {kX, kNone}), InputError);
+}
+
+TEST(MaxTipWrench, AgreesWithLargestForceWhereNoMomentIsAsked) {
+  EXPECT_NEAR(max_tip_wrench(published_index(), {kNone, 2 * kY}).multiple,
+              max_tip_force(published_index(), kY).component / 2, 1e-12);
 }
 
 // Stability. F0 from 1e-3 to 1e3 N: the weakest tendon of each axis decides, to full precision.

@@ -102,25 +102,12 @@ struct String {
   Tree<double> tree{{-1, 0, 1, 0, {0, 0, 1}, {1, 0, 0}}};
 };
 
-/// Solves the net at one posture after another, each from the equilibrium before.
-/// @param start  initial nodes at the first one (3, nodes); empty: where the link carries them
-std::vector<NetEquilibrium> solve_postures(NetSolver& solver, const Tree<double>& tree,
-                                           const std::vector<VectorXd>& postures,
-                                           Eigen::Matrix3Xd start = {}) {
-  std::vector<NetEquilibrium> rests;
-  for (const VectorXd& q : postures) {
-    rests.push_back(
-        solver.solve(pose_tree(tree, q), kNothing, start.cols() == 0 ? nullptr : &start));
-    start = rests.back().x;
-  }
-  return rests;
-}
-
 // Clear of the bone the net turns with its link.
-TEST(NetSolver, CarriesANetThatTouchesNothing) {
+TEST(SolvePostures, CarriesANetThatTouchesNothing) {
   const String string;
   NetSolver solver(string.net);
-  const auto rests = solve_postures(solver, string.tree, {angle(0), angle(-0.1), angle(-0.2)});
+  const auto rests =
+      solve_postures(solver, string.tree, {angle(0), angle(-0.1), angle(-0.2)}, kNothing);
   ASSERT_EQ(rests.size(), 3U);
   for (int k = 0; k < 3; ++k) {
     const auto state = pose_tree(string.tree, angle(-0.1 * k));
@@ -130,19 +117,19 @@ TEST(NetSolver, CarriesANetThatTouchesNothing) {
 }
 
 // 8 mm lower the string lies over the bone still; taken there at once, its node is under it.
-TEST(NetSolver, KeepsANetOnTheSideOnWhichItCame) {
+TEST(SolvePostures, KeepsANetOnTheSideOnWhichItCame) {
   const String string;
   NetSolver solver(string.net);
   std::vector<VectorXd> down;
   for (int k = 0; k <= 8; ++k) down.push_back(angle(1e-3 * k));
-  const auto rests = solve_postures(solver, string.tree, down);
+  const auto rests = solve_postures(solver, string.tree, down, kNothing);
   for (const NetEquilibrium& rest : rests) EXPECT_EQ(rest.status, NetStatus::kBalanced);
   EXPECT_GT(rests.back().x(1, 0), 0.9 * kBoneRadius);
-  const auto at_once = solve_postures(solver, string.tree, {down.back()});
+  const auto at_once = solve_postures(solver, string.tree, {down.back()}, kNothing);
   EXPECT_LT(at_once[0].x(1, 0), 0);
 }
 
-TEST(NetSolver, StartsWhereItIsTold) {
+TEST(SolvePostures, StartsWhereItIsTold) {
   const String string;
   NetSolver solver(string.net);
   const VectorXd low = angle(8e-3);
@@ -150,8 +137,19 @@ TEST(NetSolver, StartsWhereItIsTold) {
   Eigen::Matrix3Xd start(3, 3);
   for (int i = 0; i < 3; ++i) start.col(i) = moved(state, 0, string.net.nodes[i].p);
   start.col(0) = Vector3d(0, kBoneRadius, 0);
-  const auto rests = solve_postures(solver, string.tree, {low}, start);
+  const auto rests = solve_postures(solver, string.tree, {low}, kNothing, start);
   EXPECT_GT(rests[0].x(1, 0), 0.9 * kBoneRadius);
+}
+
+TEST(SolvePostures, NamesAPostureOfTooFewCoordinates) {
+  const String string;
+  NetSolver solver(string.net);
+  try {
+    (void)solve_postures(solver, string.tree, {angle(0), VectorXd(0)}, kNothing);
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "posture 1 has 0 coordinates, the tree 1");
+  }
 }
 
 }  // namespace
