@@ -254,7 +254,7 @@ OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progre
   for (const MotionInput& input : motion_of(session).inputs())
     list.push_back({{"name", input.name},
                     {"field", field_name(input.name)},
-                    {"kind", input.kind},
+                    {"kind", name_in(kMotionInputKindNames, input.kind)},
                     {"unit", input.unit},
                     {"lower", number_or_null(input.lower)},
                     {"upper", number_or_null(input.upper)},
