@@ -175,11 +175,11 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (schema.kind == Kind::kFlag) {
     for (const std::string& name : option_names(param)) {
       const bool inverse = name.front() == '!';
-      const bool has_own_help = inverse && !param.off_about.empty();
+      const bool has_own_help = inverse && !param.off_description.empty();
       command.add_flag_callback(
           "--" + name.substr(inverse ? 1 : 0),
           [&request, key, inverse] { request[key] = !inverse; },
-          has_own_help ? without_stop(param.off_about) : help);
+          has_own_help ? without_stop(param.off_description) : help);
     }
     return;
   }

@@ -34,9 +34,9 @@ struct Param {
   std::optional<std::string> option = {};
   std::string form = "NAME=number";  // syntax of a number by name: "MUSCLE=newton"
   ParamScope scope = ParamScope::kAnywhere;
-  bool is_positional = false;  // true: a positional argument of commands
-  bool is_twin = false;        // true: the previous parameter in another unit
-  std::string off_about = {};  // help of the options that clear a flag, one sentence
+  bool is_positional = false;        // true: a positional argument of commands
+  bool is_twin = false;              // true: the previous parameter in another unit
+  std::string off_description = {};  // help of the options that clear a flag, one sentence
 
   /// Returns the key with its unit: "hold_length_m", "hold_length_mm".
   [[nodiscard]] std::string key_in(UnitSystem system) const;
