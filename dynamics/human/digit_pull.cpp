@@ -292,7 +292,7 @@ bool DigitPull::add_action(const ElementInput& at, ElementAction& out) {
   set_rates(at, values, out);
   if (muscles_.has_excursion && !muscles_.contracting.empty())
     set_excursion_rates(at, values, G, A, out);
-  return trusted(values.torque.status);
+  return is_trusted(values.torque.status);
 }
 
 /// Adds the stiffness at constant tension and that of the tensions; of a net it returns G and A.

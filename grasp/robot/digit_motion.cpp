@@ -126,7 +126,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   // The normal is aligned with a flat face of the palm, if there is one.
   const std::vector<Pose<double>> links = digits_.grip().hand().pose(digits_.rest());
   roles.normal = normal.normalized();
-  roles.normal = without_rounding(
+  roles.normal = snap_to_axis(
       facing_direction(faces_of(digits_.grip(), palm_surfaces(digits_.grip()), links), roles.normal,
                        kMinPalmNormalCosine, {})
           .value_or(roles.normal));

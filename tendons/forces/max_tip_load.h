@@ -44,7 +44,7 @@ struct MaxTipLoad {
   Eigen::Vector3d other;          // the other load, world frame [N m] or [N] (3)
   Eigen::VectorXd stop_torque{};  // torque of each stop, positive flexes [N m] (stops)
   /// Derivative of the component by |max_torque| of each stop as it grows, 0: not limiting; empty:
-  /// not requested, or not verified [N/(N m)] (stops).
+  /// not requested, or not verified [N/(N m)], of a moment [1] (stops).
   Eigen::VectorXd stop_price{};
 };
 
