@@ -60,18 +60,17 @@ bool is_link(const Segment& segment) {
           name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
 }
 
-/// Returns the segments of a digit with flesh, from the tip towards the base.
+/// Returns the segments of a digit with flesh, from the tip towards the base, which is none of them.
 std::vector<const Segment*> flesh_segments(const Subject& subject, const Digit& digit) {
   std::vector<const Segment*> chain;
   // Walk along the chain from the tip; links of universal joints have no flesh.
   std::string name = digit.tip_segment;
   while (chain.size() < kFleshBones) {
+    const JointAxis* joint = joint_moving(subject, name);
+    require(joint != nullptr, "digit '{}' of '{}' has {} bones to its tip; a skin wants {}",
+            digit.name, subject.name, chain.size(), kFleshBones);
     const Segment* segment = find_named(subject.segments, name);
     if (segment != nullptr && !is_link(*segment)) chain.push_back(segment);
-    const JointAxis* joint = joint_moving(subject, name);
-    require(joint != nullptr || chain.size() == kFleshBones,
-            "digit '{}' of '{}' has {} bones to its tip; a skin wants {}", digit.name, subject.name,
-            chain.size(), kFleshBones);
     name = joint->parent;
   }
   return chain;

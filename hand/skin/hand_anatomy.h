@@ -58,8 +58,8 @@ struct HandAnatomy {
 /// length that it does not state follows from the bones by [Buchholz1992], a breadth from the
 /// length likewise. The thickness of the palm is its breadth times 24/68, from the hand's breadth
 /// and circumference in [Mirakhorlo2016].
-/// @throws InputError if there is no digit, a digit has fewer than three bones to its tip, or a
-/// bone no length.
+/// @throws InputError if there is no digit, a digit has fewer than three bones to its tip, the base
+/// not counted, or a bone no length.
 [[nodiscard]] HandAnatomy find_anatomy(const Subject& subject);
 
 /// Returns the digit of that name; nullptr if there is none.

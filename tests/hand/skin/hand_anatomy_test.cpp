@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tests/hand/skin/human_subjects.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
@@ -85,6 +86,21 @@ TEST(HandAnatomy, TakesDigitsAlone) {
 TEST(HandAnatomy, RefusesWhatHasNoFlesh) {
   EXPECT_EQ(message_of([] { (void)find_anatomy(sample::subject("valero_cuevas_index")); }),
             "subject 'valero_cuevas_index' has no digit to lay skin on");
+}
+
+// A finger whose base has a length, as a metacarpal that stays fixed, and two bones beyond: the
+// base is no bone of the finger.
+TEST(HandAnatomy, CountsNoBaseAmongTheBonesOfADigit) {
+  Subject two = sample::subject("an_chao_middle");
+  // The base takes the place and the joint of the proximal phalanx.
+  const Segment phalanx = *find_named(two.segments, "PP3");
+  for (Segment& segment : two.segments)
+    if (segment.name == two.base)
+      segment.proximal = phalanx.proximal, segment.distal = phalanx.distal;
+  for (JointAxis& joint : two.joints)
+    if (joint.parent == "PP3") joint.parent = two.base;
+  EXPECT_EQ(message_of([&] { (void)find_anatomy(two); }),
+            "digit 'middle' of '" + two.name + "' has 2 bones to its tip; a skin wants 3");
 }
 
 // The thumb of human_hand touches with its pad, 0.4 of the last bone before its end: skin reaches
