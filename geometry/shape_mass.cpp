@@ -8,8 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/stop_scope.h"
@@ -52,6 +50,44 @@ MassProperties capsule(double r, double height) {
   body.mass += m;
   body.inertia += diagonal(across, across, m * 2 * r * r / 5);
   return body;
+}
+
+/// Returns the mass of the convex hull of two balls: a cap of each, and the frustum between the
+/// circles in which the side touches them. The square of the radius about z is a polynomial of
+/// degree 2 in z on each of the three, so that Gauss' rule of three points is exact.
+MassProperties tapered_capsule(double lower, double upper, double height) {
+  struct Node {
+    double t, weight;  // place on 0..1 and weight [1]
+  };
+  static constexpr std::array<Node, 3> kRule{
+      {{0.11270166537925831148, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074168852, 5.0 / 18}}};
+  Moments sum;
+  const auto add = [&](double from, double to, const auto& square) {
+    for (const Node& node : kRule) {
+      const double z = from + node.t * (to - from), s = square(node.t);
+      const double volume = node.weight * (to - from) * kPi * s;
+      sum.volume += volume;
+      sum.first.z() += volume * z;
+      sum.second += volume * diagonal(s / 4, s / 4, z * z);
+    }
+  };
+  // Find the circles; where one ball holds the other, the frustum has the radius 0.
+  const double half = height / 2, sine = std::clamp((lower - upper) / height, -1.0, 1.0);
+  const double low = lower * sine - half, high = upper * sine + half;
+  // Add the caps by the distance d along z from their poles, and the frustum.
+  add(-half - lower, low, [&](double t) {
+    const double d = t * lower * (1 + sine);
+    return d * (2 * lower - d);
+  });
+  add(low, high, [&](double t) {
+    const double r = lower + t * (upper - lower);
+    return (1 - sine) * (1 + sine) * r * r;
+  });
+  add(high, half + upper, [&](double t) {
+    const double d = (1 - t) * upper * (1 - sine);
+    return d * (2 * upper - d);
+  });
+  return mass_of(sum);
 }
 
 /// Mass properties of a superellipsoid, with B the beta function, by Dirichlet's integrals over  x
@@ -99,9 +135,9 @@ MassProperties in_own_frame(const ShapeSpec& shape) {
     case ShapeKind::kSuperellipsoid:
       return superellipsoid(s, shape.exponents);
     case ShapeKind::kTaperedCapsule:
-      break;
+      return tapered_capsule(s.x(), s.y(), s.z());
   }
-  throw InputError(fmt::format("the mass of a {} has no closed form here", name_of(shape.kind)));
+  throw InputError("no such kind of shape");
 }
 
 }  // namespace
@@ -143,13 +179,11 @@ constexpr std::size_t kFewParts = 2000;  // maximum number of parts that are com
 constexpr double kMaxEvaluations = 1e7;
 // Cost of a distance of a mesh or superellipsoid, in those of a primitive [1]
 constexpr double kMeshCost = 10;
-constexpr int kCoarseDepth = 4;  // depth for parts without a closed form if work is limited
 
 /// One of the shapes of a union.
 struct UnionPart {
   std::shared_ptr<const Shape> shape;  // body frame
   Eigen::AlignedBox3d box;
-  bool has_moments = false;  // a closed form
   Moments moments;
   ConvexBody convex;  // empty: it is no convex polyhedron
   double look = 1;    // what one look at its distance counts
@@ -171,12 +205,11 @@ ConvexBody placed(ConvexBody body, const Pose<double>& X) {
 }
 
 UnionPart part_of(const ShapeSpec& spec) {
-  // Set shape and box, and moments where there is a closed form.
+  // Set shape, box and moments.
   UnionPart part;
   part.shape = build_solid({spec}).shape;
   part.box = part.shape->bounds();
-  part.has_moments = spec.kind != ShapeKind::kTaperedCapsule;
-  if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
+  part.moments = moments_of(mass_at_unit_density(spec));
   if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
     part.look = kMeshCost;
   // Store boxes and convex meshes as bodies that can be cut exactly.
@@ -401,24 +434,13 @@ struct Summed {
   double error = 0;  // [m^3]
 };
 
-/// Computes the moments of a part without a closed form by coarse cubes; if these take too long,
-/// returns the moments of its box.
-Moments coarse_moments(const UnionPart& part, double looks) {
-  const Parts alone{&part};
-  CubeSum cubes(alone, false, kCoarseDepth, looks);
-  const Moments sum = cubes.over(cube_around(alone, false));
-  return cubes.complete() ? sum : moments_of(convex_box(part.box));
-}
-
 /// Returns the sum of the parts, regardless of overlaps: their union contains the largest of them.
 Summed upper_bound(const Parts& parts) {
-  const double looks = kMaxEvaluations / static_cast<double>(parts.size());
   Summed result;
   double largest = 0;
   for (const UnionPart* part : parts) {
-    const Moments own = part->has_moments ? part->moments : coarse_moments(*part, looks);
-    result.moments += own;
-    largest = std::max(largest, own.volume);
+    result.moments += part->moments;
+    largest = std::max(largest, part->moments.volume);
   }
   result.error = result.moments.volume - largest;
   return result;
@@ -431,7 +453,7 @@ Summed sum_cubes(const Parts& parts, double looks) {
   Moments all;
   for (const UnionPart* part : parts) all += part->moments;
   // The excess of parts that overlap little is smaller than their union, and so is its error.
-  bool excess = all_of(parts, [](const UnionPart* part) { return part->has_moments; });
+  bool excess = true;
   std::optional<Summed> result;
   double before = 0;  // volume of the sum at the depth before [m^3]
   for (int depth = kFirstDepth; depth <= kTreeDepth; ++depth) {
@@ -460,7 +482,7 @@ Summed sum_cubes(const Parts& parts, double looks) {
 /// @param share  of all work that these parts may take
 Summed moments_of_cluster(const Parts& parts, double share) {
   // Compute a single part, or convex parts, exactly.
-  if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
+  if (parts.size() == 1) return {parts[0]->moments, 0};
   std::vector<ConvexBody> convex;
   double extent = 0;
   for (const UnionPart* part : parts) {

@@ -72,6 +72,41 @@ TEST(UnionMass, OfSuperellipsoidsIsThatOfTheSolidsAmongThem) {
               {2 * kPi * abc / 3, {0, 0, 0}, Matrix3d(cones.asDiagonal())}, 1e-12);
 }
 
+// Radii of 40 and 10 mm whose centres are 50 mm apart: sin = 3/5 of the side's slope, so that it
+// touches the balls at z = -1 and 31 mm, with radii of 32 and 8 mm. Between z = -65, -1, 31 and 35
+// the square of the radius is 1600 - (z + 25)^2, (125 - 3 z)^2 / 16 and 100 - (z - 25)^2 [mm^2].
+// Integrals of it, and of it times z and z^2, and of its square, over pi:
+//   272800/3 mm^3,  -2036000 mm^4,  247707680/3 mm^5,  335536640/3 mm^5.
+TEST(UnionMass, OfATaperedCapsuleIsThatOfTwoCapsAndAFrustum) {
+  const double volume = 272800e-9 / 3 * kPi, z = -7635e-3 / 341;
+  const double axial = 335536640e-15 / 3 * kPi / 2;
+  const double across = axial / 2 + 247707680e-15 / 3 * kPi - volume * z * z;
+  const MassProperties wanted{
+      volume, {0, 0, z}, Matrix3d(Vector3d(across, across, axial).asDiagonal())};
+  ShapeSpec tapered = spec(ShapeKind::kTaperedCapsule, {0.04, 0.01, 0.05}, {0, 0, 0});
+  const UnionMass found = union_mass({tapered});
+  EXPECT_EQ(found.error, 0);
+  expect_mass(found.mass, wanted, 1e-13);
+  // Upside down, and moved.
+  tapered.size = {0.01, 0.04, 0.05};
+  tapered.X_BS = {Vector3d(1, -1, -1).asDiagonal(), {0.1, 0.2, 0.3}};
+  expect_mass(union_mass({tapered}).mass, {volume, Vector3d(0.1, 0.2, 0.3 + z), wanted.inertia},
+              1e-12);
+}
+
+// Equal radii: a capsule. A ball that holds the other, just or by far: a ball.
+TEST(UnionMass, OfATaperedCapsuleIsThatOfACapsuleOrABall) {
+  expect_mass(union_mass({spec(ShapeKind::kTaperedCapsule, {0.012, 0.012, 0.04}, {0, 0, 0})}).mass,
+              mass_at_unit_density(spec(ShapeKind::kCapsule, {0.012, 0.04, 0}, {0, 0, 0})), 1e-13);
+  for (const double length : {0.03, 0.01}) {
+    const MassProperties below =
+        mass_at_unit_density(spec(ShapeKind::kSphere, {0.04, 0, 0}, {0, 0, -length / 2}));
+    expect_mass(
+        union_mass({spec(ShapeKind::kTaperedCapsule, {0.04, 0.01, length}, {0, 0, 0})}).mass, below,
+        1e-13);
+  }
+}
+
 // Boxes of a third of a cube's edge, so many that each overlaps with dozens, against random points.
 TEST(UnionMass, OfHundredsOfBoxesIsThatOfRandomPoints) {
   std::mt19937 rng(3);
