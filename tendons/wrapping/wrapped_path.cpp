@@ -141,19 +141,21 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
 }
 
 /// Attaches the origin to its carrier, if the set has it.
-void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
-              const Skeleton& skeleton) {
-  path.carrier = place_named(set.paths, carrier);
+void set_ride(WrappedPath& path, const PathPoint& origin, const Subject& subject, Skeleton skeleton,
+              const PathSet& set) {
+  path.carrier = place_named(set.paths, origin.rides_on);
   if (path.carrier < 0) return;
-  // Solve the carrier at the reference posture.
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
-  PathSolver solver(set);
-  const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
+  // Solve the carrier at the reference posture, where no joint is turned, the frozen ones included.
+  for (auto& [segment, at] : skeleton.segment_at) at = {};
+  PathSet alone{place_surfaces(subject, skeleton), {}};
+  alone.paths = {kept_path(*find_named(subject.strands, origin.rides_on), skeleton, alone)};
+  PathSolver solver(alone);
+  const auto& shapes = solver.solve(TreeState<double>(skeleton.tree.size()));
   // Find its point nearest to the origin, which must be close.
-  const PathPlace place = nearest_place(shapes[path.carrier], path.points.back().p);
+  const PathPlace place = nearest_place(shapes.front(), origin.p);
   require(place.off <= kRideReach,
           "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",
-          path.name, carrier, 1e3 * place.off, 1e3 * kRideReach);
+          path.name, origin.rides_on, 1e3 * place.off, 1e3 * kRideReach);
   path.ride = place.along;
 }
 
@@ -178,9 +180,9 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
     WrappedPath path = kept_path(strand, skeleton, set);
     if (path.points.size() < 2 || !crosses_a_joint(path)) continue;
     check_path(path, set, skeleton);
-    if (!strand.path.back().rides_on.empty() &&
-        skeleton.link_of_segment.count(strand.path.back().segment) > 0)
-      set_ride(path, strand.path.back().rides_on, set, skeleton);
+    const PathPoint& origin = strand.path.back();
+    if (!origin.rides_on.empty() && skeleton.link_of_segment.count(origin.segment) > 0)
+      set_ride(path, origin, subject, skeleton, set);
     set.paths.push_back(std::move(path));
   }
   return set;

@@ -29,7 +29,8 @@ struct WrappedPath {
   std::vector<WrapPoint> points;  // at least two; none if the strand crosses no kept joint
   std::vector<std::vector<PathWrap>> bends;  // surfaces between points k and k + 1 (points - 1)
   int carrier = -1;  // path that the origin rides on; -1: the origin is fixed
-  double ride = 0;   // distance of that origin from the carrier's insertion, along it [m]
+  double ride = 0;   // distance of that origin from the carrier's insertion, along it, measured
+                     // where no joint is turned [m]
 };
 
 /// Strands of a skeleton with the surfaces that they meet. Carriers precede their riders.

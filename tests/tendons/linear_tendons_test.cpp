@@ -117,6 +117,36 @@ TEST(LinearTendons, FitsStayNearTheWrappedPaths) {
   EXPECT_NE(fitted->evaluate(10 * q, t).warning, "");
 }
 
+// A joint that is frozen at an angle is posed there: all other arms are the same, those of the
+// lumbrical, too, whose origin rides on a tendon that crosses the frozen joint.
+TEST(LinearTendons, HaveTheArmsOfThePosedHandWhereAJointIsFrozen) {
+  for (const char* name : {"mirakhorlo2016", "human_hand"}) {
+    const Subject hand = read_subject(std::string(THENAR_DATA_DIR "/subjects/") + name + ".toml");
+    const auto posed = build_linear_tendons(hand, "index", rung(Path::kWrapped));
+    const TendonNames& all = posed->digit().names;
+    VectorXd q = VectorXd::Constant(posed->digit().model.coordinates, 0.5);  // [rad]
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      if (all.coordinates[j] == "MCP2_AA") q[j] = 0.1;
+    const Eigen::MatrixXd R = posed->evaluate(q, VectorXd::Zero(all.muscles.size())).R;
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      TendonOptions options = rung(Path::kWrapped);
+      options.frozen[all.coordinates[j]] = q[j];
+      const auto frozen = build_linear_tendons(hand, "index", options);
+      const TendonNames& some = frozen->digit().names;
+      VectorXd left(q.size() - 1);
+      left << q.head(j), q.tail(q.size() - 1 - j);
+      const Eigen::MatrixXd found = frozen->evaluate(left, VectorXd::Zero(some.muscles.size())).R;
+      for (Eigen::Index m = 0; m < found.rows(); ++m) {
+        const auto row = std::find(all.muscles.begin(), all.muscles.end(), some.muscles[m]) -
+                         all.muscles.begin();
+        for (Eigen::Index k = 0; k < found.cols(); ++k)
+          EXPECT_NEAR(found(m, k), R(row, k < j ? k : k + 1), 1e-11)
+              << name << ": " << some.muscles[m] << ", " << all.coordinates[j] << " frozen";
+      }
+    }
+  }
+}
+
 TEST(LinearTendons, SayThatTheyWrap) {
   const auto wrapped = build_linear_tendons(whole_hand(), "index", rung(Path::kWrapped));
   EXPECT_EQ(wrapped->digit().fidelity.path, Path::kWrapped);
