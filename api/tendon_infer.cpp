@@ -70,6 +70,7 @@ InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) 
   answer.subject = subject.name;
   answer.net = at.candidate.net.name;
   answer.fidelity = netted.digit().fidelity;
+  answer.outcome.warn(ride_warnings(subject, netted));
   answer.ends = ends_of(at.candidate.net, candidate_names(at.candidate));
   answer.sources = {forces, person, bands};
   return at;

@@ -107,10 +107,12 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
           at.subject.name, at.digit, listed(digits_with_tendons(at.subject)));
 }
 
-/// Limits of all postures, and arms that collapse where the joints that vary are not moved yet.
+/// Limits of all postures, origins that do not ride, and arms that collapse where the joints that
+/// vary are not moved yet.
 void add_warnings(const DigitRequest& request, DigitCase& at) {
   at.warnings = subject_doubts(at.subject);
   append_all(at.warnings, at.grid.warnings);
+  if (at.net != nullptr) append_all(at.warnings, ride_warnings(at.subject, *at.net));
   const DigitTendons& linear = at.net != nullptr ? at.net->linear() : *at.tendons;
   const Eigen::VectorXd q = posture_of(at.bones().skeleton, request.posture);
   append_all(at.warnings, collapse_warnings(linear, q));

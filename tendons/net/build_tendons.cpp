@@ -86,6 +86,20 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
                                       std::move(free));
 }
 
+std::vector<std::string> ride_warnings(const Subject& subject, const NetTendons& tendons) {
+  std::vector<std::string> warnings;
+  const TendonDigit& digit = tendons.digit();
+  if (digit.fidelity.path <= Path::kViaPoint) return warnings;
+  for (const NetMuscle& m : tendons.net().muscles) {
+    const std::string& muscle = digit.names.muscles[m.muscle];
+    const std::vector<PathPoint>& path = pulled_strand(subject, muscle).path;
+    if (!path.empty() && !path.back().rides_on.empty())
+      warnings.push_back(fmt::format("{}: its origin rides on {} only without a net", muscle,
+                                     path.back().rides_on));
+  }
+  return warnings;
+}
+
 TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                        const TendonTorque& pull) {
   TipStatics statics = tip_statics(digit, q);

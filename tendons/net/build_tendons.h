@@ -4,12 +4,15 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tendons/digit_tendons.h"
 #include "tendons/forces/tip_force.h"
 #include "tendons/net/build_net.h"
 
 namespace thenar {
+
+class NetTendons;
 
 /// Builds the simplest tendons that have the requested path and hood models: linear ones up to
 /// fixed fractions, a net beyond.
@@ -27,6 +30,11 @@ namespace thenar {
                                                               const TendonOptions& options,
                                                               const NetDescription& description,
                                                               const NetBuildOptions& net = {});
+
+/// Names the muscles of a net whose origins would ride on another tendon without it; none where
+/// paths are straight. From their exits they run straight to a point that is fixed in its bone.
+[[nodiscard]] std::vector<std::string> ride_warnings(const Subject& subject,
+                                                     const NetTendons& tendons);
 
 /// Computes the statics of the tip at the tensions t that gave `pull`; R' t + tau_0 is the sum of
 /// the tendons' torque and the passive one. For a net this holds at these tensions only: tau_0

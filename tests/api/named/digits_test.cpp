@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "data/io/toml_node.h"
 #include "tendons/forces/tip_force.h"
 #include "tests/data_folder.h"
@@ -45,6 +46,20 @@ TEST(BuildDigit, BuildsANetWhereOneIsNamed) {
   EXPECT_EQ(at.sources.back().path, "winslow.toml");
   request.hood = Hood::kSeparate;
   EXPECT_THROW((void)build_digit(request, Hood::kFractions), InputError);
+}
+
+// From its exit a muscle of a net runs straight to its origin, which is fixed, on any paths.
+TEST(BuildDigit, WarnsOfOriginsThatDoNotRideUnderANet) {
+  const std::string told = "LU1: its origin rides on FDP2 only without a net";
+  DigitRequest request;
+  request.subject = "mirakhorlo2016";
+  request.digit = "index";
+  request.data = kData;
+  EXPECT_FALSE(contains(build_digit(request, Hood::kSeparate).warnings, told));
+  request.net = "winslow";
+  EXPECT_TRUE(contains(build_digit(request, Hood::kSeparate).warnings, told));
+  request.path = Path::kViaPoint;
+  EXPECT_FALSE(contains(build_digit(request, Hood::kSeparate).warnings, told));
 }
 
 TEST(BuildDigit, KeepsTheRungThatTheSubjectChose) {
