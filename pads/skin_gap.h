@@ -34,7 +34,8 @@ struct DeepestSkin {
                                        const Pose<double>& X_PO,
                                        const std::optional<Eigen::Vector2d>& near = {});
 
-/// Returns the curvatures of the gap between skin and object near a point.
+/// Returns the curvatures of the gap between skin and object near a point, by curvatures() over
+/// 1 mm for pads of any size.
 /// @param p  point in the pad's frame [m] (3)
 [[nodiscard]] RelativeCurvatures skin_gap(const Shape& skin, const Shape& object,
                                           const Pose<double>& X_PO, const Eigen::Vector3d& p);

@@ -2,6 +2,7 @@
 
 #include "pads/skin_gap.h"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -127,6 +128,21 @@ TEST(DeepestSkin, StaysTheDeepestWhileItsLeadLasts) {
         EXPECT_EQ(near.lead, 0);
       }
     }
+}
+
+// A ball of radius R against a flat face: the second difference over h = 1 mm of its distance,
+// sqrt(R^2 + h^2) - R on either side, for balls of any size.
+TEST(SkinGap, IsMeasuredOverOneMillimetre) {
+  constexpr double kStep = 1e-3, kDepth = 1e-4, kHalf = 5e-3;  // [m]
+  const auto plate = build_box({80e-3, 80e-3, 2 * kHalf});
+  for (const double R : {5e-3, 10e-3, 20e-3}) {
+    Pose<double> X;
+    X.p.z() = R - kDepth + kHalf;
+    const RelativeCurvatures gap = skin_gap(*build_sphere(R), *plate, X, {0, 0, R});
+    const double k = 2 * (std::hypot(R, kStep) - R) / (kStep * kStep);
+    EXPECT_NEAR(gap.k1, k, 1e-6);
+    EXPECT_NEAR(gap.k2, k, 1e-6);
+  }
 }
 
 }  // namespace
