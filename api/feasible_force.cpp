@@ -336,7 +336,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
   keep_weak_muscles(request, digit.subject, answer);
   const bool weak = !answer.without.empty() || !answer.weakened.empty();
 
-  const auto ask = [&](const Eigen::VectorXd& q) {
+  const auto compute = [&](const Eigen::VectorXd& q) {
     DigitAtPosture intact = with_wrist(digit_at(digit, q), held, request.wrist);
     warn_of_stops(held, digit, intact);
     require_limits(intact.statics, request.digit.subject);
@@ -354,7 +354,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, failure_recorder(answer.points), progress);
+  compute_postures(answer, compute, failure_recorder(answer.points), progress);
   return answer;
 }
 

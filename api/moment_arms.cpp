@@ -61,7 +61,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
   const Eigen::VectorXd start =
       lengths_at(tendons, answer.reference, arms_at(tendons, answer.reference));
 
-  const auto ask = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
+  const auto compute = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
     const TendonTorque pull = arms_at(tendons, q);
     require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
     answer.points.push_back(point_at(tendons, q, pull));
@@ -70,7 +70,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
     return tendons.digit().fidelity.path == Path::kFitted ? std::vector<std::string>{}
                                                           : collapse_warnings(tendons, q);
   };
-  ask_postures(answer, ask, failure_recorder(answer.points), progress);
+  compute_postures(answer, compute, failure_recorder(answer.points), progress);
 
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);

@@ -120,7 +120,7 @@ SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton, const Eige
   return pose;
 }
 
-PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress) {
+PoseResult compute_poses(const PoseRequest& request, const Progress& progress) {
   const std::string robot = robot_meant(request);
   if (robot.empty()) return pose_subject(request, progress);
   require(request.digits.empty() && request.frozen.empty(),

@@ -61,12 +61,12 @@ struct SubjectPoses {
 };
 
 /// Poses of a subject or of a robot, depending on the request's model.
-using PoseAnswer = std::variant<SubjectPoses, RobotPoses>;
+using PoseResult = std::variant<SubjectPoses, RobotPoses>;
 
 /// Computes the poses of a subject or a robot.
 /// @throws InputError for unknown names, a subject without joints, and digits or frozen joints of a
 /// robot; DataError for a wrong file.
-[[nodiscard]] PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress = {});
+[[nodiscard]] PoseResult compute_poses(const PoseRequest& request, const Progress& progress = {});
 
 /// Computes the pose of a subject at one posture. @param q  [rad] (coordinates)
 [[nodiscard]] SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton,

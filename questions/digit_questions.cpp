@@ -136,7 +136,8 @@ RequestTable<PoseRequest> pose_params() {
 
 void add_digit_questions(std::vector<Question>& all) {
   add_question(all, "pose", "Joints, segments or links, and tips at a posture.", pose_params(),
-               ask_pose, R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
+               compute_poses, R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})",
+               "pose");
   add_question<DigitRequest, MomentArmResult>(
       all, "moment_arms", "Moment arms and length changes of a digit's tendons.",
       moment_arm_params(), compute_moment_arms,

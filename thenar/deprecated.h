@@ -8,6 +8,7 @@
 #include "api/grasp.h"
 #include "api/moment_arms.h"
 #include "api/pads/press_pad.h"
+#include "api/pose.h"
 #include "api/quality.h"
 #include "api/scenes/simulate_scene.h"
 #include "api/simulate.h"
@@ -31,6 +32,9 @@ using SceneJointKind [[deprecated("JointKind")]] = JointKind;
 using TipForceAnswer [[deprecated("TipForceResult")]] = TipForceResult;
 using FeasibleForceAnswer [[deprecated("FeasibleForceResult")]] = FeasibleForceResult;
 using MomentArmAnswer [[deprecated("MomentArmResult")]] = MomentArmResult;
+using PoseAnswer [[deprecated("PoseResult")]] = PoseResult;
+using AskPosture [[deprecated("ComputePosture")]] = ComputePosture;
+using NoAnswer [[deprecated("RecordFailure")]] = RecordFailure;
 using QualityRequest [[deprecated("ContactQualityRequest")]] = ContactQualityRequest;
 using ContactQuality [[deprecated("ContactQualityResult")]] = ContactQualityResult;
 using MotionRequest [[deprecated("DigitMotionRequest")]] = DigitMotionRequest;
@@ -56,6 +60,16 @@ ask_feasible_force(const FeasibleForceRequest& request, const Progress& progress
 [[deprecated("compute_moment_arms()")]] [[nodiscard]] inline MomentArmResult ask_moment_arms(
     const DigitRequest& request, const Progress& progress = {}) {
   return compute_moment_arms(request, progress);
+}
+[[deprecated("compute_poses()")]] [[nodiscard]] inline PoseResult ask_pose(
+    const PoseRequest& request, const Progress& progress = {}) {
+  return compute_poses(request, progress);
+}
+[[deprecated("compute_postures()")]] inline void ask_postures(DigitResult& result,
+                                                              const ComputePosture& compute,
+                                                              const RecordFailure& record,
+                                                              const Progress& progress) {
+  compute_postures(result, compute, record, progress);
 }
 [[deprecated("measure_contacts()")]] [[nodiscard]] inline ContactQualityResult contact_quality(
     const ContactQualityRequest& request) {

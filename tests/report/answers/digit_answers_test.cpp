@@ -184,7 +184,7 @@ TEST(PoseWords, TellOfEveryTip) {
   request.data = kData;
   request.posture.unit = PostureUnit::kTyped;
   request.vary = {{"PIP3", 0, 20, 10}};
-  const auto poses = std::get<SubjectPoses>(ask_pose(request));
+  const auto poses = std::get<SubjectPoses>(compute_poses(request));
   EXPECT_EQ(table_of(poses).rows.size(), 3u);
   EXPECT_EQ(json_of(poses)["postures"].size(), 3u);
   EXPECT_NE(text_of(poses).find("middle_x_mm"), std::string::npos);
