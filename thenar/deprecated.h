@@ -19,6 +19,7 @@
 #include "base/units.h"
 #include "data/io/robot/drive_coupling.h"
 #include "data/io/scene/joint_kind.h"
+#include "data/io/scene/scene.h"
 #include "grasp/closing/setup.h"
 
 namespace thenar {
@@ -29,6 +30,7 @@ using RobotDofKind [[deprecated("DriveCoupling")]] = DriveCoupling;
 using SceneJointKind [[deprecated("JointKind")]] = JointKind;
 [[deprecated("kNewtonMillimetre")]] inline constexpr double kNmm = kNewtonMillimetre;
 [[deprecated("kNormal95HalfWidth")]] inline constexpr double kNormal95 = kNormal95HalfWidth;
+[[deprecated("kMaxSceneSamples")]] inline constexpr double kMostSamples = kMaxSceneSamples;
 using TipForceAnswer [[deprecated("TipForceResult")]] = TipForceResult;
 using FeasibleForceAnswer [[deprecated("FeasibleForceResult")]] = FeasibleForceResult;
 using MomentArmAnswer [[deprecated("MomentArmResult")]] = MomentArmResult;

@@ -16,12 +16,12 @@
 namespace thenar {
 namespace {
 
-constexpr double kDeepestPress = 0.1;   // Largest depth [m]
-constexpr double kHardestPress = 1e4;   // Largest force [N]
-constexpr double kFastestPress = 100;   // Largest rate [m/s]
-constexpr int kMostPoints = 1000;       // Most points of a curve
-constexpr int kMostElements = 200'000;  // Most elements of a mesh
-constexpr double kAnyError = 1e9;       // Error of the force with which no mesh is refined [1]
+constexpr double kDeepestPress = 0.1;     // Largest depth [m]
+constexpr double kHardestPress = 1e4;     // Largest force [N]
+constexpr double kFastestPress = 100;     // Largest rate [m/s]
+constexpr int kMaxPressPoints = 1000;     // Largest number of points of a curve
+constexpr int kMaxPadElements = 200'000;  // Largest number of elements of a mesh
+constexpr double kAnyError = 1e9;         // Error of the force with which no mesh is refined [1]
 // Depth of a round object in faces, between nodes, beyond which they are refined [m]
 constexpr double kDeepInFaces = 5e-5;
 constexpr double kHertzPower = 1.5;  // Power of the depth in the force of a first guess [1]
@@ -62,12 +62,12 @@ void check_numbers(const PressRequest& request) {
   require(request.friction >= 0 && std::isfinite(request.friction),
           "wanted friction of at least 0, got {:g}", request.friction);
   for (const int points : {request.points, request.hold_points})
-    require(points >= 1 && points <= kMostPoints, "wanted 1 to {} points of a curve, got {}",
-            kMostPoints, points);
+    require(points >= 1 && points <= kMaxPressPoints, "wanted 1 to {} points of a curve, got {}",
+            kMaxPressPoints, points);
   require(request.force_error > 0 && std::isfinite(request.force_error),
           "wanted an error of the force above 0, got {:g}", request.force_error);
-  require(request.max_elements >= 1 && request.max_elements <= kMostElements,
-          "wanted 1 to {} elements, got {}", kMostElements, request.max_elements);
+  require(request.max_elements >= 1 && request.max_elements <= kMaxPadElements,
+          "wanted 1 to {} elements, got {}", kMaxPadElements, request.max_elements);
 }
 
 /// Refuses pins and wires: no mesh with as many cells as are allowed resolves their patch.

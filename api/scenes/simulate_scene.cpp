@@ -245,8 +245,8 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   options.sample = request.sample.value_or(options.sample);
   options.step = request.step.value_or(options.step);
   options.tolerance = request.tolerance.value_or(options.tolerance);
-  require(options.seconds / options.sample <= kMostSamples,
-          "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMostSamples,
+  require(options.seconds / options.sample <= kMaxSceneSamples,
+          "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMaxSceneSamples,
           options.seconds, options.sample);
   return read;
 }

@@ -35,6 +35,7 @@ TEST(Deprecated, TypesAreThoseOfToday) {
   EXPECT_TRUE((std::is_same_v<RobotDofKind, DriveCoupling>));
   EXPECT_TRUE((std::is_same_v<SceneJointKind, JointKind>));
   EXPECT_EQ(kNmm, 1e-3);
+  EXPECT_EQ(kMostSamples, kMaxSceneSamples);
   EXPECT_EQ(kNormal95, kNormal95HalfWidth);
   EXPECT_TRUE((std::is_same_v<Scene, GraspSetup>));
   EXPECT_TRUE((std::is_same_v<SceneBody, GraspBody>));
