@@ -198,10 +198,11 @@ SourceText fit_settings_source(const std::string& settings, const std::string& d
 }
 
 void require_fit_path(const std::optional<Path>& path) {
-  require(!path || *path == Path::kViaPoint,
-          "the force model of a fit runs tendons straight between via points, as its kernel does "
-          "not wrap: wanted paths 'via', got '{}'",
-          path ? name_of(*path) : "");
+  require_field(
+      "path", !path || *path == Path::kViaPoint,
+      "the force model of a fit runs tendons straight between via points, as its kernel does "
+      "not wrap: wanted paths 'via', got '{}'",
+      path ? name_of(*path) : "");
 }
 
 std::vector<std::string> path_cautions(const FitInputs& inputs) {
@@ -215,12 +216,14 @@ std::vector<std::string> path_cautions(const FitInputs& inputs) {
 
 FitInputs read_fit_inputs(const FitSources& sources) {
   require_fit_path(sources.path);
-  require(!sources.experiments.empty(), "a fit needs at least one experiment");
+  require_field("experiments", !sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
   // Store subject and settings as text, so that the fit can be repeated without the files.
-  inputs.subject = subject_source(sources.subject, sources.data);
+  inputs.subject =
+      in_field("subject", [&] { return subject_source(sources.subject, sources.data); });
   for (const std::string& name : sources.experiments)
-    inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
+    inputs.experiments.push_back(
+        read_source(in_field("experiments", [&] { return experiment_file(name, sources.data); })));
   // Default settings depend on the digit, which the first experiment states.
   const SourceText& first = inputs.experiments.front();
   inputs.settings = fit_settings_source(

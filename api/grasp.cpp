@@ -31,19 +31,20 @@ double seconds_of(const GraspRequest& request) {
 }
 
 void check_request(const GraspRequest& request) {
-  require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
-          request.tolerance);
-  require(request.approach_distance > 0, "wanted an approach distance above 0 m, got {}",
-          request.approach_distance);
-  require(request.starts >= 0, "wanted 0 or more random starts, got {}", request.starts);
-  require(request.robustness.draws >= 0, "wanted 0 or more draws of robustness, got {}",
-          request.robustness.draws);
+  require_field("tolerance", request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
+                request.tolerance);
+  require_field("approach_distance", request.approach_distance > 0,
+                "wanted an approach distance above 0 m, got {}", request.approach_distance);
+  require_field("starts", request.starts >= 0, "wanted 0 or more random starts, got {}",
+                request.starts);
+  require_field("robustness", request.robustness.draws >= 0,
+                "wanted 0 or more draws of robustness, got {}", request.robustness.draws);
   // Zero edges mean exact cones; a pyramid has at least three.
-  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
-          "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
-          request.edges);
-  require(request.approach || request.starts == 0,
-          "random starts are clear of the object: they want the approach");
+  require_field("edges", request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
+                "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
+                request.edges);
+  require_field("approach", request.approach || request.starts == 0,
+                "random starts are clear of the object: they want the approach");
 }
 
 /// The world and its hand, which of random starts may be any hand.
@@ -52,9 +53,10 @@ WorldCase open_setting(const GraspRequest& request, const Progress& progress) {
       !request.world.hand.empty() && request.starts > 0 && !has_hand(request.world);
   WorldCase setting = open_world(request.world, from_elsewhere, progress);
   const NamedHand& hand = setting.hand.named;
-  require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
-  require(setting.hand.parts.size() <= 1 || request.starts == 0,
-          "hand '{}' is mounted: it cannot start anywhere", hand.name);
+  require_field("hand", !hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch",
+                hand.name);
+  require_field("starts", setting.hand.parts.size() <= 1 || request.starts == 0,
+                "hand '{}' is mounted: it cannot start anywhere", hand.name);
   return setting;
 }
 

@@ -50,10 +50,11 @@ MomentArmResult compute_moment_arms(const DigitRequest& request, const Progress&
 MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& progress) {
   // Moment arms are properties of paths over bones: maps have no paths, and arms of a net change
   // with its tensions.
-  require(digit.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms",
-          digit.digit, digit.subject.name, digit.map);
-  require(digit.net == nullptr,
-          "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
+  require_field("digit", digit.map.empty(),
+                "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms", digit.digit,
+                digit.subject.name, digit.map);
+  require_field("hood", digit.net == nullptr,
+                "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
   MomentArmResult answer{begin_digit_result(digit), {}, {}, {}};
   // Excursions count from the reference posture, so measure the tendon lengths there once.
   const DigitTendons& tendons = *digit.tendons;

@@ -85,14 +85,17 @@ TipPose tip_now(const Skeleton& skeleton, const TreeState<double>& state, const 
 
 SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) {
   // Maps alone have no joints to pose.
-  const SourceText source = subject_source(request.model, request.data);
+  const SourceText source =
+      in_field("model", [&] { return subject_source(request.model, request.data); });
   const Subject subject = parse_subject(source.text, source.path);
-  require(!subject.joints.empty(),
-          "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
-          "tip-force or feasible-force",
-          subject.name);
-  const Skeleton skeleton =
-      build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
+  require_field(
+      "model", !subject.joints.empty(),
+      "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
+      "tip-force or feasible-force",
+      subject.name);
+  const Skeleton skeleton = in_field("digits", [&] {
+    return build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
+  });
   SubjectPoses poses;
   // Pose every posture of the grid, in the order in which the angles vary.
   poses.request = request;
@@ -123,8 +126,9 @@ SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton, const Eige
 PoseResult compute_poses(const PoseRequest& request, const Progress& progress) {
   const std::string robot = robot_meant(request);
   if (robot.empty()) return pose_subject(request, progress);
-  require(request.digits.empty() && request.frozen.empty(),
-          "digits and frozen joints are for subjects, '{}' is a robot", robot);
+  require_field(request.frozen.empty() ? "digits" : "frozen",
+                request.digits.empty() && request.frozen.empty(),
+                "digits and frozen joints are for subjects, '{}' is a robot", robot);
   return pose_robot(import_robot(robot), request, progress);
 }
 

@@ -65,7 +65,8 @@ void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
                      PredictResult& result) {
   // Predict each experiment by its own specimen if that was fitted, else by the population.
   for (const std::string& name : result.request.experiments) {
-    const SourceText source = read_source(experiment_file(name, result.request.data));
+    const SourceText source = read_source(
+        in_field("experiments", [&] { return experiment_file(name, result.request.data); }));
     const Experiment experiment = read_trials(source);
     result.outcome.warn(prediction_warnings(problem, experiment));
     const int fitted = find_specimen(problem, experiment.specimen);
@@ -81,9 +82,10 @@ void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
 }
 
 PredictResult predict_forces(const PredictRequest& request) {
-  require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_field("experiments", !request.experiments.empty(),
+                "wanted at least one experiment to predict");
   require_fit_path(request.path);
-  require_kind(request.fit, {"fit"});
+  in_field("fit", [&] { require_kind(request.fit, {"fit"}); });
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);
   const auto predict = [&](const Experiment& experiment, int specimen) {

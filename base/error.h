@@ -56,6 +56,16 @@ void require_field(const char* field, bool ok, fmt::format_string<Args...> messa
   if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...), field);
 }
 
+/// Returns the result of `work`, and adds a field to an InputError that names none.
+template <typename Work>
+auto in_field(const char* field, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(error.what(), error.field().empty() ? field : error.field());
+  }
+}
+
 /// Returns the result of `work`, and turns its InputError into a DataError at a line of a file.
 template <typename Work>
 auto at_line(const std::string& path, int line, const Work& work) {

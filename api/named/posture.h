@@ -53,11 +53,12 @@ inline constexpr std::size_t kMaxPostures = 1000000;
 [[nodiscard]] std::vector<double> steps_of(const Vary& vary, const std::string& unit);
 
 /// Returns the numbers in the order of `names`, zero for names that are not given (names).
-/// @param kind  word for a name in messages: "muscle"
+/// @param kind   word for a name in messages: "muscle"
+/// @param field  field of the request that has the names, for the error; empty: none
 /// @throws InputError for a name that is not among `names`, with the nearest one and all others.
 [[nodiscard]] Eigen::VectorXd in_order(const std::map<std::string, double>& named,
                                        const std::vector<std::string>& names,
-                                       const std::string& kind);
+                                       const std::string& kind, const std::string& field = "");
 
 /// Returns the coordinates of a skeleton [rad] (coordinates).
 /// @throws InputError for an unknown joint or a wrong count.

@@ -80,8 +80,9 @@ std::size_t chosen(const WorldSpec& world, const std::string& name, const std::s
   // A name has to be one of the world's.
   if (!name.empty()) {
     const std::size_t index = index_of(world, name);
-    require(index < world.hands.size(), "{}: the world has no hand '{}'{} it has {}", path, name,
-            hint_before_list(name, names_of(world)), world.hands.empty() ? "none" : listed);
+    require_field("hand", index < world.hands.size(), "{}: the world has no hand '{}'{} it has {}",
+                  path, name, hint_before_list(name, names_of(world)),
+                  world.hands.empty() ? "none" : listed);
     return index;
   }
   // Without a name there must be exactly one hand that carries no other.
@@ -271,18 +272,19 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                      const Progress& progress) {
   WorldCase found;
   // Read the world and place its object.
-  found.path = world_file(request);
+  found.path = in_field("world", [&] { return world_file(request); });
   found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
-  found.setup = build_setup(found.world, request.object);
+  found.setup = in_field("object", [&] { return build_setup(found.world, request.object); });
   // Use the hand of the world, mounted on its carriers.
   const HumanHandOptions human = human_of(request, progress);
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data, human);
   } else {
     // A hand from elsewhere starts open; a planner gives it its place.
-    found.hand.named = hand_by_name(request.hand, found.data, human);
+    found.hand.named =
+        in_field("hand", [&] { return hand_by_name(request.hand, found.data, human); });
     found.hand.q = open_posture(found.hand.named.hand->layout());
   }
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());

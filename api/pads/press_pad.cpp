@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,36 +39,38 @@ constexpr double kMinSizeRatio = 1.0 / 60;
 constexpr double kMaxAcrossCosine = 0.7;
 
 void check_numbers(const PressRequest& request) {
-  require(request.force.has_value() != request.depth.has_value(),
-          "wanted a force or a depth, got {}", request.force ? "both" : "none");
+  require_field("force", request.force.has_value() != request.depth.has_value(),
+                "wanted a force or a depth, got {}", request.force ? "both" : "none");
   // Limits of a press are far above those of fingertips, and catch mistakes in units.
   if (request.force)
-    require(*request.force > 0 && *request.force <= kHardestPress,
-            "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
-            *request.force);
+    require_field("force", *request.force > 0 && *request.force <= kHardestPress,
+                  "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
+                  *request.force);
   if (request.depth)
-    require(*request.depth > 0 && *request.depth <= kDeepestPress,
-            "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm", kDeepestPress / kMm,
-            *request.depth / kMm);
+    require_field("depth", *request.depth > 0 && *request.depth <= kDeepestPress,
+                  "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm", kDeepestPress / kMm,
+                  *request.depth / kMm);
   // Without a rate the press takes no time, and at rate 0 all has relaxed already: a hold changes
   // neither.
   if (request.rate)
-    require(*request.rate >= 0 && *request.rate <= kFastestPress,
-            "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
-            *request.rate / kMm);
-  require(request.hold >= 0 && std::isfinite(request.hold),
-          "wanted a holding time of 0 s or more, got {:g} s", request.hold);
-  require(request.hold == 0 || request.rate.value_or(0) > 0,
-          "tissue relaxes while the object is held still after a rate above 0 only");
-  require(request.friction >= 0 && std::isfinite(request.friction),
-          "wanted friction of at least 0, got {:g}", request.friction);
-  for (const int points : {request.points, request.hold_points})
-    require(points >= 1 && points <= kMaxPressPoints, "wanted 1 to {} points of a curve, got {}",
-            kMaxPressPoints, points);
-  require(request.force_error > 0 && std::isfinite(request.force_error),
-          "wanted an error of the force above 0, got {:g}", request.force_error);
-  require(request.max_elements >= 1 && request.max_elements <= kMaxPadElements,
-          "wanted 1 to {} elements, got {}", kMaxPadElements, request.max_elements);
+    require_field("rate", *request.rate >= 0 && *request.rate <= kFastestPress,
+                  "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
+                  *request.rate / kMm);
+  require_field("hold", request.hold >= 0 && std::isfinite(request.hold),
+                "wanted a holding time of 0 s or more, got {:g} s", request.hold);
+  require_field("hold", request.hold == 0 || request.rate.value_or(0) > 0,
+                "tissue relaxes while the object is held still after a rate above 0 only");
+  require_field("friction", request.friction >= 0 && std::isfinite(request.friction),
+                "wanted friction of at least 0, got {:g}", request.friction);
+  for (const auto& [field, points] :
+       {std::pair{"points", request.points}, std::pair{"hold_points", request.hold_points}})
+    require_field(field, points >= 1 && points <= kMaxPressPoints,
+                  "wanted 1 to {} points of a curve, got {}", kMaxPressPoints, points);
+  require_field("force_error", request.force_error > 0 && std::isfinite(request.force_error),
+                "wanted an error of the force above 0, got {:g}", request.force_error);
+  require_field("max_elements",
+                request.max_elements >= 1 && request.max_elements <= kMaxPadElements,
+                "wanted 1 to {} elements, got {}", kMaxPadElements, request.max_elements);
 }
 
 /// Refuses pins and wires: no mesh with as many cells as are allowed resolves their patch.
@@ -77,8 +80,8 @@ void check_object(const PressResult& out) {
   const Eigen::Vector3d sizes = out.object.shape->bounds().sizes();
   const double thinnest = kMinSizeRatio * out.pad.spec.length;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
-    require(
-        std::abs(along[axis]) > kMaxAcrossCosine || sizes[axis] >= thinnest,
+    require_field(
+        "object", std::abs(along[axis]) > kMaxAcrossCosine || sizes[axis] >= thinnest,
         "wanted an object of at least {:.2g} mm across its way into a pad of {:g} mm, as no mesh "
         "resolves thinner ones; got {}, which is {:.2g} mm",
         thinnest / kMm, out.pad.spec.length / kMm, out.object.name, sizes[axis] / kMm);

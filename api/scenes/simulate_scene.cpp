@@ -36,10 +36,12 @@ namespace fs = std::filesystem;
 constexpr int kDrawnSkin = 1200;  // triangles of the picture of each link of a human hand, at most
 
 std::string scene_file(const SceneRequest& request) {
-  std::string file =
-      named_file("scene", request.scene, "scenes", ".toml", data_folders(request.data));
-  require_kind(file, {"scene"});
-  return file;
+  return in_field("scene", [&] {
+    std::string file =
+        named_file("scene", request.scene, "scenes", ".toml", data_folders(request.data));
+    require_kind(file, {"scene"});
+    return file;
+  });
 }
 
 /// Finds the data from which a hand is built, by its file or name.
@@ -149,10 +151,11 @@ std::size_t count_runs(const std::vector<SceneVariation>& vary) {
   std::size_t runs = 1;
   std::set<std::string> names;
   for (const SceneVariation& each : vary) {
-    require(each.count >= 1, "wanted at least one value of '{}', got {}", each.name, each.count);
-    require(names.insert(each.name).second, "'{}' varies twice", each.name);
-    require(static_cast<std::size_t>(each.count) <= kMaxRuns / runs, "wanted at most {} runs",
-            kMaxRuns);
+    require_field("vary", each.count >= 1, "wanted at least one value of '{}', got {}", each.name,
+                  each.count);
+    require_field("vary", names.insert(each.name).second, "'{}' varies twice", each.name);
+    require_field("vary", static_cast<std::size_t>(each.count) <= kMaxRuns / runs,
+                  "wanted at most {} runs", kMaxRuns);
     runs *= static_cast<std::size_t>(each.count);
   }
   return runs;
@@ -231,8 +234,8 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   RequestedScene read{std::move(scene), {}, request};
   if (request.on_pins) read.spec.compliances.clear();
   if (!request.pads.empty()) {
-    (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
-    require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
+    (void)index_of_name(request.pads, pad_rung_names(), "rung of pads", "pads");
+    require_field("pads", !read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
     for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
   }
   // Options of the request replace those of the file.
@@ -245,20 +248,21 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   options.sample = request.sample.value_or(options.sample);
   options.step = request.step.value_or(options.step);
   options.tolerance = request.tolerance.value_or(options.tolerance);
-  require(options.seconds / options.sample <= kMaxSceneSamples,
-          "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMaxSceneSamples,
-          options.seconds, options.sample);
+  require_field(request.sample ? "sample" : "seconds",
+                options.seconds / options.sample <= kMaxSceneSamples,
+                "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMaxSceneSamples,
+                options.seconds, options.sample);
   return read;
 }
 
 SceneResult simulate_scene(const SceneRequest& request, const Progress& progress) {
-  require(request.vary.empty(), "wanted one run, got numbers that vary");
+  require_field("vary", request.vary.empty(), "wanted one run, got numbers that vary");
   return simulated(open_requested_scene(request), {}, progress);
 }
 
 SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request,
                            const Progress& progress) {
-  require(request.vary.empty(), "wanted one run, got numbers that vary");
+  require_field("vary", request.vary.empty(), "wanted one run, got numbers that vary");
   check_scene_spec(scene);
   return simulated(open_requested_scene(scene, request), {}, progress);
 }
