@@ -152,8 +152,7 @@ CompareOptions options_of(const CompareRequest& request, const Materials& materi
   options.seed = request.seed;
   options.normalise_size = request.normalise_size;
   options.materials = materials;
-  options.tasks.clear();
-  for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
+  options.tasks = request.tasks;
   return options;
 }
 
@@ -200,7 +199,7 @@ JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& o
   JsonNode inputs;
   inputs.set("hands", hands)
       .set("objects", request.objects)
-      .set("tasks", request.tasks)
+      .set("tasks", transformed(request.tasks, [](GraspTask task) { return name_of(task); }))
       .set("approaches", request.approaches)
       .set("best", request.best)
       .set("seed", request.seed)

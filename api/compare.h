@@ -26,8 +26,7 @@ struct CompareRequest {
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
   std::vector<BodySpec> own_objects = {};  // further objects, see make_body()
-  std::vector<std::string> tasks{"force-closure",
-                                 "hold-weight"};  // tasks by name; also "pull", "turn"
+  std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
   std::string data;          // folder with robots/ and objects/; empty: the usual ones
   int approaches = 20;       // approaches of each hand to each object
   int best = 3;              // grasps of each pair whose loads are computed

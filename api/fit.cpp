@@ -229,7 +229,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   inputs.settings = fit_settings_source(
       sources.settings, parse_experiment(first.text, first.path).digit, sources.data);
   inputs.also_free = sources.also_free;
-  inputs.scaling = scaling_named(sources.scale);
+  inputs.scaling = sources.scale;
   if (!sources.net.empty())
     inputs.net =
         read_source(named_file("net", sources.net, "nets", ".toml", data_folders(sources.data)));

@@ -25,7 +25,7 @@ struct FitSources {
   std::vector<std::string> also_free;  // globs of further free parameters
   std::string net = {};                // file, or name of nets/, of the extensor mechanism in
                                        // place of the subject's hood; empty: none
-  std::string scale = "subject";       // sizes of the digit: the subject's own, or of "outside"
+  Scaling scale = Scaling::kSubject;   // sizes of the digit of each specimen
   std::string data;                    // folder with subjects/ ..; empty: the usual ones
   std::optional<Path> path = {};       // tendon paths, see require_fit_path()
 };

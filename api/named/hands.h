@@ -3,6 +3,7 @@
 /// Hands by the names that commands accept.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,10 @@ struct NamedHand {
 
 /// Data from which a hand of a given name is built.
 struct HandSource {
-  bool human = false;   // true: a subject; false: a robot
-  std::string file;     // empty: the built-in human
-  std::string version;  // version of a human hand: one of kHumanVersionNames
-  std::string path;     // tendon paths: "via", "fitted" or "wrapped"; empty: default_path()
+  bool human = false;                   // true: a subject; false: a robot
+  std::string file;                     // empty: the built-in human
+  std::optional<HumanVersion> version;  // version of a human hand; absent: a robot
+  std::optional<Path> path;             // tendon paths of a human hand; absent: default_path()
   PassiveMoments passive = PassiveMoments::kOn;  // passive moments of its joints
 };
 

@@ -70,8 +70,8 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   }
   // A human hand: the version, paths and skin of the scene.
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
-                   human_version(source.version)};
-  human.options.path = source.path.empty() ? path : path_named(source.path);
+                   *source.version};
+  human.options.path = source.path ? source.path : path;
   human.options.passive = hand.passive.value_or(true) ? source.passive : PassiveMoments::kOff;
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
@@ -242,8 +242,7 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   read.open = open_scene(read.spec, request.data, request.path);
   SceneOptions& options = read.open.built.options;
   // Method, duration and tolerance.
-  if (!request.method.empty())
-    options.method = value_in(kSteppingMethodNames, request.method, "method");
+  options.method = request.method.value_or(options.method);
   options.seconds = request.seconds.value_or(options.seconds);
   options.sample = request.sample.value_or(options.sample);
   options.step = request.step.value_or(options.step);

@@ -33,7 +33,7 @@ struct SceneVariation {
 struct SceneRequest {
   std::string scene;  // file, or name of one of scenes/
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
-  std::string method;
+  std::optional<SteppingMethod> method;
   std::string pads;                  // rung of all its [[pad]], of pad_rung_names()
   std::optional<Path> path = {};     // tendon paths of human hands that state none; absent:
                                      // default_path()
