@@ -184,10 +184,7 @@ LeaveOut leave_out_named(const std::string& name) {
 }
 
 std::string experiment_file(const std::string& name_or_path, const std::string& data) {
-  std::string file =
-      named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data));
-  require_kind(file, {"experiment"});
-  return file;
+  return requested_file("", "experiment", name_or_path, "experiments", data);
 }
 
 SourceText fit_settings_source(const std::string& settings, const std::string& digit,

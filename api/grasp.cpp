@@ -148,10 +148,11 @@ TriedStart own_or_off(const GraspResult& result, const Pregrasp& own) {
 }
 
 /// Counts a start, and keeps its grasp if it is the best so far.
-void note(GraspResult& result, Grasp grasp, int number, const Pregrasp& start) {
+/// @param number  of a random start; absent: the world's own
+void note(GraspResult& result, Grasp grasp, std::optional<int> number, const Pregrasp& start) {
   ++result.outcomes[static_cast<std::size_t>(grasp.outcome)];
   result.closures += grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure ? 1 : 0;
-  if (number > 0 && !is_better(grasp, result.grasp)) return;
+  if (number.value_or(0) > 0 && !is_better(grasp, result.grasp)) return;
   result.grasp = std::move(grasp);
   result.best = number;
   result.start = start;
@@ -166,7 +167,7 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     const bool goes = request.approach && hand.parts.size() <= 1;  // an arm's foot does not fly
     const Pregrasp own{hand.X_WH, hand.q, goes ? request.approach_distance : 0};
     TriedStart tried = goes ? own_or_off(result, own) : TriedStart{own, grasp_from(result, own)};
-    note(result, std::move(tried.grasp), -1, tried.start);
+    note(result, std::move(tried.grasp), {}, tried.start);
   }
   // Otherwise try random starts, at least one of them even where progress says stop, and keep the
   // best.
@@ -325,7 +326,7 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
     warnings.push_back(torques);
   if (const std::string own = describe_self_overlaps(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
-  if (result.best < 0 && result.start.stand_off > 0)
+  if (!result.best && result.start.stand_off > 0)
     warnings.push_back(fmt::format(
         "with the palm on the object fingertips did not hold it: the hand moved back before it "
         "closed, by {:.0f} % of the way to where its tips still close beyond the object's centre",

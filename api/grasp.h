@@ -50,15 +50,15 @@ struct GraspRobustness {
 /// Best grasp of all starts, with its measures.
 struct GraspResult {
   GraspRequest request;
-  Outcome outcome;                            // done: starts; stopped also while it measures
-  WorldCase setting;                          // the world, its hand and its scene
-  CollisionHand collision_hand;               // collision model of the hand of `setting`
-  Grasp grasp;                                // the best of all starts
-  WrenchSet wrenches;                         // wrenches of its contacts, cones or pyramids
-  std::array<int, 6> outcomes{};              // number of starts by GraspOutcome
-  int closures = 0;                           // starts that ended in force closure
-  int best = -1;                              // start of the best grasp; -1: none was drawn
-  Pregrasp start;                             // pregrasp from which the best grasp started
+  Outcome outcome;                // done: starts; stopped also while it measures
+  WorldCase setting;              // the world, its hand and its scene
+  CollisionHand collision_hand;   // collision model of the hand of `setting`
+  Grasp grasp;                    // the best of all starts
+  WrenchSet wrenches;             // wrenches of its contacts, cones or pyramids
+  std::array<int, 6> outcomes{};  // number of starts by GraspOutcome
+  int closures = 0;               // starts that ended in force closure
+  std::optional<int> best;        // random start of the best grasp; absent: the world's own start
+  Pregrasp start;                 // pregrasp from which the best grasp started
   std::optional<GraspMeasures> measures;      // absent: no grasp, or stopped before
   std::optional<GraspRobustness> robustness;  // absent: not requested, or stopped before
   double cpu = 0;                             // processor time, measures included [s]

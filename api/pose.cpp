@@ -1,6 +1,7 @@
 #include "api/pose.h"
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,12 +18,17 @@
 namespace thenar {
 namespace {
 
-/// Returns the file of the robot given by a name or a file; empty: a subject instead of a robot.
-std::string robot_meant(const PoseRequest& request) {
-  if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
-  require_kind(request.model, {"subject", "robot"});
-  if (std::filesystem::path(request.model).extension() != ".toml") return request.model;
-  return find_file_kind(request.model) == FileKind::kRobot ? request.model : "";
+/// Returns the file of the robot given by a name or a file; absent: the model is a subject.
+std::optional<std::string> robot_of(const PoseRequest& request) {
+  std::string file = request.model;
+  if (!is_file(file)) {
+    file = robot_file(request.model, data_folders(request.data));
+    return file.empty() ? std::nullopt : std::optional(file);
+  }
+  require_kind(file, {"subject", "robot"});
+  const bool subject = std::filesystem::path(file).extension() == ".toml" &&
+                       find_file_kind(file) != FileKind::kRobot;
+  return subject ? std::nullopt : std::optional(file);
 }
 
 std::vector<JointPose> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
@@ -124,12 +130,12 @@ SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton, const Eige
 }
 
 PoseResult compute_poses(const PoseRequest& request, const Progress& progress) {
-  const std::string robot = robot_meant(request);
-  if (robot.empty()) return pose_subject(request, progress);
+  const std::optional<std::string> robot = in_field("model", [&] { return robot_of(request); });
+  if (!robot) return pose_subject(request, progress);
   require_field(request.frozen.empty() ? "digits" : "frozen",
                 request.digits.empty() && request.frozen.empty(),
-                "digits and frozen joints are for subjects, '{}' is a robot", robot);
-  return pose_robot(import_robot(robot), request, progress);
+                "digits and frozen joints are for subjects, '{}' is a robot", *robot);
+  return pose_robot(import_robot(*robot), request, progress);
 }
 
 }  // namespace thenar

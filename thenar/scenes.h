@@ -8,3 +8,4 @@
 #include "api/scenes/scene_builder.h"
 #include "api/scenes/simulate_scene.h"
 #include "api/scenes/world_scene.h"
+#include "api/scenes/write_scene_run.h"

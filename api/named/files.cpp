@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/named/data_folders.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/lists.h"
@@ -223,6 +224,16 @@ FileContents contents_of(const std::string& path) {
   FileContents found = look_into(path);
   found.commands = commands_for(found.kind, path);
   return found;
+}
+
+std::string requested_file(const char* field, const std::string& kind, const std::string& name,
+                           const std::string& folder, const std::string& data,
+                           const std::string& hint) {
+  return in_field(field, [&] {
+    std::string file = named_file(kind, name, folder, ".toml", data_folders(data));
+    require_kind(file, {kind}, hint);
+    return file;
+  });
 }
 
 void require_kind(const std::string& path, const std::vector<std::string>& kinds,

@@ -36,6 +36,15 @@ struct FileContents {
 /// TOML file is wrong or of no known kind.
 [[nodiscard]] FileContents contents_of(const std::string& path);
 
+/// Returns the file that a request names: its path, or a name of the data. The kind is checked.
+/// @param field   field of the request, which errors name
+/// @param kind    "world", see FileContents::kind;  @param folder  "worlds"
+/// @param data    folder with worlds/ ..; empty: the usual ones
+/// @throws InputError as named_file() and require_kind()
+[[nodiscard]] std::string requested_file(const char* field, const std::string& kind,
+                                         const std::string& name, const std::string& folder,
+                                         const std::string& data, const std::string& hint = "");
+
 /// Throws InputError for a file that is known to be of another kind:
 /// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
 /// Files of unknown kind, and those that cannot be parsed, are accepted here: their reader reports

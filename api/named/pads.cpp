@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -27,10 +26,7 @@ void change_law(const PadRequest& request, PadTissueSpec& tissue) {
 
 NamedPad open_pad(const PadRequest& request) {
   NamedPad pad;
-  in_field("pad", [&] {
-    pad.path = named_file("pad", request.pad, "pads", ".toml", data_folders(request.data));
-    require_kind(pad.path, {"pad"});
-  });
+  pad.path = requested_file("pad", "pad", request.pad, "pads", request.data);
   pad.spec = read_pad(pad.path);
   // Change what the request states otherwise than the file.
   change_law(request, pad.spec.pulp);

@@ -255,16 +255,16 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 std::string world_file(const WorldRequest& request) {
   // Accept a path or a name of the data, and refuse other kinds of files.
   std::string file =
-      named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
-  require_kind(file, {"world"},
-               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
+      requested_file("world", "world", request.world, "worlds", request.data,
+                     "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
   // Size of the start of its text: a byte order mark and blank lines may lead [bytes]
   constexpr std::size_t kTextStartBytes = 4096;
   // Worlds of GraspIt! are XML, and have to be imported first.
   const std::string start = read_start(file, kTextStartBytes);
   const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  require(sign == std::string::npos || start[sign] != '<',
-          "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here", file);
+  require_field("world", sign == std::string::npos || start[sign] != '<',
+                "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here",
+                file);
   return file;
 }
 
@@ -272,7 +272,7 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                      const Progress& progress) {
   WorldCase found;
   // Read the world and place its object.
-  found.path = in_field("world", [&] { return world_file(request); });
+  found.path = world_file(request);
   found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/scenes/write_scene_run.h"
 #include "data/io/result_file.h"
 #include "tests/data_folder.h"
 #include "tests/temporary_folder.h"
