@@ -1,6 +1,7 @@
 #pragma once
 
 /// Scenes that move: bodies, robots and human hands in contact.
+/// Example: examples/12_falling_cube.cpp, 15_human_scene.cpp.
 
 #include "api/scenes/compare_rungs.h"
 #include "api/scenes/read_scene_run.h"

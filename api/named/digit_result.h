@@ -18,12 +18,12 @@ namespace thenar {
 
 /// Common part of all results about a digit, posture by posture.
 struct DigitResult {
-  Outcome outcome;  // done: postures, or 1 for a map
-  std::string subject, digit;
-  std::string map;                // empty: built from bones and tendons
-  std::string built;              // fidelity, or which map, in words
-  std::vector<std::string> rows;  // rows of the balance: joints, or Fx Fy Fz tx ..
-  std::vector<std::string> muscles;
+  Outcome outcome;                              // done: postures, or 1 for a map
+  std::string subject, digit;                   // names
+  std::string map;                              // empty: built from bones and tendons
+  std::string built;                            // fidelity, or which map, in words
+  std::vector<std::string> rows;                // rows of the balance: joints, or Fx Fy Fz tx ..
+  std::vector<std::string> muscles;             // names of muscles, in the order of tensions
   PostureGrid grid;                             // requested postures; none for a map
   std::shared_ptr<const DigitTendons> tendons;  // tendons for pictures; null for a map
   std::vector<SourceText> sources;              // text of the subject

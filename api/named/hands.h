@@ -18,10 +18,10 @@ namespace thenar {
 struct NamedHand {
   std::string name;  // requested name, with old version names replaced: current_hand_name()
   std::string file;  // file that the hand was built from; empty: the built-in human
-  std::shared_ptr<const Hand> hand;
-  ContactModel contact = ContactModel::kHardPoint;
-  std::vector<SkinPatch> patches;         // pads and nails of a human hand
-  std::vector<OppositionTarget> targets;  // targets of Kapandji's score, for a human hand
+  std::shared_ptr<const Hand> hand;                 // never null
+  ContactModel contact = ContactModel::kHardPoint;  // contact model of its surfaces
+  std::vector<SkinPatch> patches;                   // pads and nails of a human hand
+  std::vector<OppositionTarget> targets;            // targets of Kapandji's score, for a human hand
   ClosingRates rates;  // closing rates of a hand that tendons close; empty: its drives close it
   std::shared_ptr<const Skeleton> skeleton;  // skeleton of a human hand; null: a robot
   Path path = Path::kNone;                   // HumanHand::path of a human hand

@@ -24,7 +24,7 @@ enum class PostureUnit {
 struct PostureRequest {
   std::map<std::string, double> named;  // joint -> value
   std::vector<double> in_order;         // angles of every joint, in order
-  PostureUnit unit = PostureUnit::kSI;
+  PostureUnit unit = PostureUnit::kSI;  // unit of all values
 
   [[nodiscard]] bool empty() const { return named.empty() && in_order.empty(); }
 };
@@ -32,8 +32,8 @@ struct PostureRequest {
 /// Joint that varies from `from` in steps up to `to`, which is not passed, in the unit of its
 /// posture.
 struct Vary {
-  std::string joint;
-  double from, to, step;
+  std::string joint;      // name of a free joint
+  double from, to, step;  // first value, largest or smallest value, and difference; not 0
 };
 
 /// Postures at which a result is computed.

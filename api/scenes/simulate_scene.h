@@ -1,6 +1,7 @@
 #pragma once
 
 /// Simulation of a scene of bodies and hands.
+/// Example: examples/12_falling_cube.cpp, examples/15_human_scene.cpp.
 
 #include <memory>
 #include <optional>
@@ -17,14 +18,14 @@ namespace thenar {
 
 /// Result of a simulated scene.
 struct [[nodiscard]] SceneResult {
-  SceneRequest request;
-  Outcome outcome;  // stalled: do not use it, see run.status
-  std::string name, description;
-  std::optional<Camera> camera;
+  SceneRequest request;                     // request that was answered
+  Outcome outcome;                          // stalled: do not use it, see run.status
+  std::string name, description;            // as in the scene's file
+  std::optional<Camera> camera;             // absent: the scene states none
   std::shared_ptr<const BuiltScene> built;  // simulated scene with its assumptions; never null
   std::vector<std::pair<std::string, double>> varied;  // numbers that differ from the file
-  SceneRun run;
-  RunMeasures measures;
+  SceneRun run;                                        // instants, cost and status
+  RunMeasures measures;                                // poses, energy, slip and pulls
   std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
   FileDigests files;                // digests of all files that were read
 };
@@ -34,11 +35,11 @@ struct [[nodiscard]] SceneResult {
 
 /// Runs of one scene with different numbers.
 struct [[nodiscard]] SceneSweepResult {
-  SceneRequest request;
-  Outcome outcome;  // stalled: at least one run is
-  std::string name;
+  SceneRequest request;           // request that was answered
+  Outcome outcome;                // stalled: at least one run is
+  std::string name;               // name of the scene
   std::vector<SceneResult> runs;  // completed runs; the last number varies fastest
-  FileDigests files;
+  FileDigests files;              // digests of all files that were read
 };
 
 /// Simulates one run of a scene; `request.vary` must be empty.

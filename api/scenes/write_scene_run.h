@@ -1,6 +1,8 @@
 #pragma once
 
 /// Files of simulated scenes.
+///
+///     write_scene_run(simulate_scene(request), "run.h5");
 
 #include <string>
 
