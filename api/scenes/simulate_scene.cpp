@@ -1,13 +1,12 @@
 #include "api/scenes/simulate_scene.h"
 
-#include <algorithm>
-#include <mutex>
 #include <set>
 
 #include "api/scenes/scene_account.h"
 #include "base/error.h"
 #include "base/lists.h"
 #include "base/parallel_for.h"
+#include "base/parallel_tasks.h"
 #include "dynamics/compliant/penalty_scene.h"
 #include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/scene/run_bytes.h"
@@ -83,30 +82,6 @@ std::size_t count_runs(const std::vector<SceneVariation>& vary) {
   return runs;
 }
 
-/// Joint progress of several parallel runs.
-class SharedProgress {
- public:
-  SharedProgress(const Progress& whole, std::size_t runs) : whole_(whole), done_(runs, 0) {}
-
-  [[nodiscard]] Progress of(std::size_t run) {
-    Progress part;
-    part.stop_requested = [this] { return whole_.stop(); };
-    part.report = [this, run](double fraction, const std::string& /*what*/) {
-      const std::lock_guard<std::mutex> lock(told_);
-      sum_ += fraction - done_[run];
-      done_[run] = fraction;
-      whole_(sum_ / static_cast<double>(done_.size()), "");
-    };
-    return part;
-  }
-
- private:
-  const Progress& whole_;
-  std::mutex told_;
-  std::vector<double> done_;
-  double sum_ = 0;
-};
-
 /// Runs of a sweep; absent ones ran in another process, or did not start.
 using SweptRuns = std::vector<std::optional<SceneResult>>;
 
@@ -127,15 +102,14 @@ RequestedScene read_sweep(const SceneRequest& request, SceneSweepResult& sweep) 
 /// Simulates the runs of this process, which are every size-th one. @param all  runs of the sweep
 SweptRuns simulate_own(const RequestedScene& read, std::size_t all, const Communicator& ranks,
                        const Progress& progress) {
-  const auto rank = static_cast<std::size_t>(ranks.rank());
-  const auto size = static_cast<std::size_t>(ranks.size());
-  const std::size_t own = (all + size - 1 - rank) / size;
-  SharedProgress shared(progress, std::max<std::size_t>(1, own));
   SweptRuns runs(all);
-  parallel_for(own, [&](std::size_t k) {
-    const std::size_t i = rank + k * size;
-    if (!progress.stop()) runs[i] = simulated(read, numbers_of(read.request.vary, i), shared.of(k));
-  });
+  std::vector<ParallelTask> tasks;
+  const auto size = static_cast<std::size_t>(ranks.size());
+  for (auto i = static_cast<std::size_t>(ranks.rank()); i < all; i += size)
+    tasks.push_back({1, [&, i](const Progress& own) {
+                       runs[i] = simulated(read, numbers_of(read.request.vary, i), own);
+                     }});
+  run_tasks(std::move(tasks), progress);
   return runs;
 }
 
@@ -210,8 +184,11 @@ SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request,
 
 std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request, const Progress& progress) {
   return result_of_first_rank([&](const Communicator& ranks) {
+    // The first process reports the share that is done, not what each run reports.
     Progress told = progress;
-    if (ranks.rank() > 0) told.report = nullptr;
+    told.report = [&](double fraction, const std::string& /*what*/) {
+      if (ranks.rank() == 0) progress(fraction, "");
+    };
     return sweep_together(request, told, ranks);
   });
 }
