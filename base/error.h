@@ -23,6 +23,10 @@ class Error : public std::runtime_error {
   /// Returns the name of the field in words joined by "_": "centre_of_mass". It is the name of an
   /// option of a command, a parameter of the server and a keyword in Python.
   [[nodiscard]] const std::string& field() const { return field_; }
+  /// Sets the name of the field, unless it has one.
+  void set_field(const std::string& field) {
+    if (field_.empty()) field_ = field;
+  }
 
  private:
   std::string field_;
@@ -61,8 +65,9 @@ template <typename Work>
 auto in_field(const char* field, const Work& work) {
   try {
     return work();
-  } catch (const InputError& error) {
-    throw InputError(error.what(), error.field().empty() ? field : error.field());
+  } catch (InputError& error) {
+    error.set_field(field);
+    throw;
   }
 }
 

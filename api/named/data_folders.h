@@ -3,9 +3,32 @@
 /// Folders of the data that comes with thenar, the same for every question.
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.h"
+
 namespace thenar {
+
+/// Error about a file, or a name of the data, of another kind than wanted.
+class WrongKindError : public InputError {
+ public:
+  /// @param kind    FileContents::kind of the file, or what the name stands for: "hand"
+  /// @param name    path or name;  @param advice  end of the message: "; a world puts .."
+  WrongKindError(const std::string& what, std::string kind, std::string name,
+                 const std::string& advice = "")
+      : InputError(what + advice),
+        kind_(std::move(kind)),
+        name_(std::move(name)),
+        advice_(advice) {}
+
+  [[nodiscard]] const std::string& kind() const { return kind_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& advice() const { return advice_; }
+
+ private:
+  std::string kind_, name_, advice_;
+};
 
 /// Returns folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
 ///   `given` (--data), the environment's THENAR_DATA, ./data, `near`, what was installed with the
@@ -32,8 +55,8 @@ namespace thenar {
 /// Returns the path of a file given by its path, or by the name of a file that comes with thenar:
 /// "barrett_bobbin" of "worlds".
 /// @param what  for messages: "world";  @param folder  "worlds";  @param ending  ".toml"
-/// @throws InputError if there is neither, listing the searched folders and the nearest name, or
-/// the other kind that has this name: "it is a hand: thenar pose barrett".
+/// @throws InputError if there is neither, listing the searched folders and the nearest name;
+/// WrongKindError if another kind has this name: "it is a hand".
 [[nodiscard]] std::string named_file(const std::string& what, const std::string& name,
                                      const std::string& folder, const std::string& ending,
                                      const std::vector<std::string>& places);

@@ -26,8 +26,7 @@ struct FileContents {
   // "world", "scene", "pad", "presses of a pad", "mesh", "fit", "posterior", "motion", "scene run",
   // "contacts", "comparison", "page", "answer", "folder"; "": unknown
   std::string kind;
-  std::string format;                 // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
-  std::vector<std::string> commands;  // command lines that accept it: "thenar explain hand.toml"
+  std::string format;  // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
 };
 
 /// Finds the kind of a file by its content, of meshes by the ending of the name. A damaged binary
@@ -45,13 +44,13 @@ struct FileContents {
                                          const std::string& name, const std::string& folder,
                                          const std::string& data, const std::string& hint = "");
 
-/// Throws InputError for a file that is known to be of another kind:
-/// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
+/// Throws WrongKindError for a file that is known to be of another kind:
+/// "'P.nc' is a posterior, wanted a fit".
 /// Files of unknown kind, and those that cannot be parsed, are accepted here: their reader reports
 /// the error.
 /// @param kinds  accepted kinds, see FileContents::kind
 /// @param hint   advice for a robot, an object or a mesh; empty: none
-/// @throws InputError as above, or if there is no file
+/// @throws WrongKindError as above, InputError if there is no file
 void require_kind(const std::string& path, const std::vector<std::string>& kinds,
                   const std::string& hint = "");
 

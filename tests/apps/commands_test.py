@@ -864,7 +864,10 @@ class WrongKinds(unittest.TestCase):
                     (("grasp", urdf), "is a robot, wanted a world"),
                     (("grasp", urdf), "docs/tutorials/own_gripper.md"),
                     (("grasp", mesh), "is a mesh, wanted a world; try: thenar import"),
-                    (("pose", mug), "is an object, wanted a subject or a robot"),
+                    (("pose", mug), "is an object, wanted a subject or a robot; commands that take it: "
+                                    f"thenar explain {mug}, thenar import {mug}"),
+                    (("tip-force", "barrett", "--tension", "FDP=1"),
+                     "there is no subject 'barrett'; it is a hand: thenar pose barrett"),
                     (("tip-force", jaw, "--tension", "FDP=1"), "is a robot, wanted a subject"),
                     (("fit", MIDDLE, "--subject", MIDDLE), "is a subject, wanted an experiment"),
                     (("compare", "--hands", mug, "--objects", "can"),
