@@ -183,8 +183,9 @@ LeaveOut leave_out_named(const std::string& name) {
   return value_in(kLeaveOutNames, name, "part to leave out");
 }
 
-std::string experiment_file(const std::string& name_or_path, const std::string& data) {
-  return requested_file("", "experiment", name_or_path, "experiments", data);
+std::string experiment_file(const std::string& name_or_path, const std::string& data,
+                            const char* field) {
+  return requested_file(field, "experiment", name_or_path, "experiments", data);
 }
 
 SourceText fit_settings_source(const std::string& settings, const std::string& digit,
@@ -216,11 +217,9 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   require_field("experiments", !sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
   // Store subject and settings as text, so that the fit can be repeated without the files.
-  inputs.subject =
-      in_field("subject", [&] { return subject_source(sources.subject, sources.data); });
+  inputs.subject = subject_source(sources.subject, sources.data);
   for (const std::string& name : sources.experiments)
-    inputs.experiments.push_back(
-        read_source(in_field("experiments", [&] { return experiment_file(name, sources.data); })));
+    inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
   // Default settings depend on the digit, which the first experiment states.
   const SourceText& first = inputs.experiments.front();
   inputs.settings = fit_settings_source(

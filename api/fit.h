@@ -97,9 +97,11 @@ void require_fit_path(const std::optional<Path>& path);
 /// anything else.
 [[nodiscard]] LeaveOut leave_out_named(const std::string& name);
 
-/// Returns the file of an experiment given by its file or its name. @throws InputError listing the
-/// searched folders.
-[[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
+/// Returns the file of an experiment given by its file or its name.
+/// @param field  field of the request, which errors name
+/// @throws InputError listing the searched folders.
+[[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data,
+                                          const char* field = "experiments");
 
 /// Returns predictions of the experiments of a fit in their order, with predictive sds.
 [[nodiscard]] std::vector<Prediction> predict_own(const Fit& fit);

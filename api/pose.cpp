@@ -20,15 +20,11 @@ namespace {
 
 /// Returns the file of the robot given by a name or a file; absent: the model is a subject.
 std::optional<std::string> robot_of(const PoseRequest& request) {
-  std::string file = request.model;
-  if (!is_file(file)) {
-    file = robot_file(request.model, data_folders(request.data));
-    return file.empty() ? std::nullopt : std::optional(file);
-  }
-  require_kind(file, {"subject", "robot"});
-  const bool subject = std::filesystem::path(file).extension() == ".toml" &&
-                       find_file_kind(file) != FileKind::kRobot;
-  return subject ? std::nullopt : std::optional(file);
+  if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
+  require_kind(request.model, {"subject", "robot"});
+  const bool subject = std::filesystem::path(request.model).extension() == ".toml" &&
+                       find_file_kind(request.model) != FileKind::kRobot;
+  return subject ? std::nullopt : std::optional(request.model);
 }
 
 std::vector<JointPose> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
@@ -91,8 +87,7 @@ TipPose tip_now(const Skeleton& skeleton, const TreeState<double>& state, const 
 
 SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) {
   // Maps alone have no joints to pose.
-  const SourceText source =
-      in_field("model", [&] { return subject_source(request.model, request.data); });
+  const SourceText source = subject_source(request.model, request.data, "model");
   const Subject subject = parse_subject(source.text, source.path);
   require_field(
       "model", !subject.joints.empty(),

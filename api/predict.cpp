@@ -65,8 +65,7 @@ void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
                      PredictResult& result) {
   // Predict each experiment by its own specimen if that was fitted, else by the population.
   for (const std::string& name : result.request.experiments) {
-    const SourceText source = read_source(
-        in_field("experiments", [&] { return experiment_file(name, result.request.data); }));
+    const SourceText source = read_source(experiment_file(name, result.request.data));
     const Experiment experiment = read_trials(source);
     result.outcome.warn(prediction_warnings(problem, experiment));
     const int fitted = find_specimen(problem, experiment.specimen);

@@ -49,11 +49,9 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
 /// Reads the three files, and records them in the result.
 InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) {
   // Files.
-  const SourceText forces = read_source(
-                       in_field("experiment",
-                                [&] { return experiment_file(request.experiment, request.data); })),
-                   person = in_field("subject",
-                                     [&] { return subject_source(request.subject, request.data); }),
+  const SourceText forces =
+                       read_source(experiment_file(request.experiment, request.data, "experiment")),
+                   person = subject_source(request.subject, request.data),
                    bands = net_source(request.net);
   const Experiment experiment = parse_experiment(forces.text, forces.path);
   const Subject subject = parse_subject(person.text, person.path);

@@ -64,18 +64,18 @@ std::string text_with_commands(const Error& error) {
   std::string text = error.what();
   const auto* wrong = dynamic_cast<const WrongKindError*>(&error);
   if (wrong == nullptr) return text;
-  const bool file = is_file(wrong->name());
+  const bool file = is_file(wrong->name);
   const CommandsByKind& table = file ? commands_of_files() : commands_of_names();
-  const auto known = table.find(wrong->kind());
+  const auto known = table.find(wrong->kind);
   if (known == table.end()) return text;
   // Put the commands before the advice at the end of the message.
   std::vector<std::string> lines = known->second;
   for (std::string& line : lines)
-    line.replace(line.find('@'), 1, file ? shell_word(wrong->name()) : wrong->name());
+    line.replace(line.find('@'), 1, file ? shell_word(wrong->name) : wrong->name);
   const char* const before = !file               ? ": "
                              : lines.size() == 1 ? "; try: "
                                                  : "; commands that take it: ";
-  text.insert(text.size() - wrong->advice().size(),
+  text.insert(text.size() - wrong->advice.size(),
               fmt::format("{}{}", before, fmt::join(lines, ", ")));
   return text;
 }

@@ -20,30 +20,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entry of kKnownFolders: a folder, and the kind of its files.
-struct KnownFolder {
-  const char* folder;
-  const char* kind;
-};
-constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject"},
-                                         {"robots", "hand"},
-                                         {"worlds", "world"},
-                                         {"scenes", "scene"},
-                                         {"pads", "pad"},
-                                         {"presses", "file of measured presses"},
-                                         {"objects", "object"},
-                                         {"experiments", "experiment"},
-                                         {"contacts", "file of contacts"}};
+// Folders of the data, and the kind of their files
+constexpr std::pair<const char*, const char*> kKnownFolders[] = {
+    {"subjects", "subject"},
+    {"robots", "hand"},
+    {"worlds", "world"},
+    {"scenes", "scene"},
+    {"pads", "pad"},
+    {"presses", "file of measured presses"},
+    {"objects", "object"},
+    {"experiments", "experiment"},
+    {"contacts", "file of contacts"}};
 
 /// Returns the kind of the file of a name in another folder; absent: there is none.
 std::optional<std::string> kind_elsewhere(const std::string& name, const std::string& folder,
                                           const std::vector<std::string>& places) {
-  for (const KnownFolder& known : kKnownFolders) {
-    if (known.folder == folder) continue;
+  for (const auto& [known, kind] : kKnownFolders) {
+    if (known == folder) continue;
     // Look for the name in every folder and with every ending that thenar reads.
     for (const char* ending : {".toml", ".json", ".jsonl"})
-      if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty())
-        return known.kind;
+      if (!find_in(places, (fs::path(known) / (name + ending)).string()).empty()) return kind;
   }
   return {};
 }

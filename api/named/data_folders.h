@@ -11,23 +11,18 @@
 namespace thenar {
 
 /// Error about a file, or a name of the data, of another kind than wanted.
-class WrongKindError : public InputError {
- public:
-  /// @param kind    FileContents::kind of the file, or what the name stands for: "hand"
-  /// @param name    path or name;  @param advice  end of the message: "; a world puts .."
-  WrongKindError(const std::string& what, std::string kind, std::string name,
-                 const std::string& advice = "")
-      : InputError(what + advice),
-        kind_(std::move(kind)),
-        name_(std::move(name)),
-        advice_(advice) {}
+struct WrongKindError : InputError {
+  /// @param advice  end of the message: "; a world puts .."
+  WrongKindError(const std::string& what, std::string its_kind, std::string its_name,
+                 std::string its_advice = "")
+      : InputError(what + its_advice),
+        kind(std::move(its_kind)),
+        name(std::move(its_name)),
+        advice(std::move(its_advice)) {}
 
-  [[nodiscard]] const std::string& kind() const { return kind_; }
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] const std::string& advice() const { return advice_; }
-
- private:
-  std::string kind_, name_, advice_;
+  std::string kind;    // FileContents::kind of the file, or what the name stands for: "hand"
+  std::string name;    // path or name
+  std::string advice;  // see the constructor
 };
 
 /// Returns folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:

@@ -130,21 +130,24 @@ DigitAtPosture at_map(const DigitCase& at) {
 
 }  // namespace
 
-SourceText subject_source(const std::string& name_or_path, const std::string& data) {
+SourceText subject_source(const std::string& name_or_path, const std::string& data,
+                          const char* field) {
   // Leave folders, pipes and devices of that name to the reader, which reports them.
-  std::error_code none;
-  if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
-  if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
-  return read_source(named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
+  return in_field(field, [&] {
+    std::error_code none;
+    if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
+    return read_source(
+        std::filesystem::exists(name_or_path, none)
+            ? name_or_path
+            : named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
+  });
 }
 
 DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   // Read the subject with passive moments or without them.
   DigitCase at;
-  at.sources = {
-      request.subject_text.empty()
-          ? in_field("subject", [&] { return subject_source(request.subject, request.data); })
-          : SourceText{request.subject, request.subject_text}};
+  at.sources = {request.subject_text.empty() ? subject_source(request.subject, request.data)
+                                             : SourceText{request.subject, request.subject_text}};
   at.passive = request.passive;
   at.subject = with_passive(parse_subject(at.sources.front().text, at.sources.front().path),
                             request.passive);

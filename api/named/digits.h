@@ -94,8 +94,10 @@ inline constexpr double kMaxTension = 1e4;
                                        const std::map<std::string, double>& named);
 
 /// Returns the path and text of a subject given by the path of its file or by its name.
+/// @param field  field of the request, which errors name
 /// @throws InputError listing the searched folders and the nearest name; DataError if it is wrong.
-[[nodiscard]] SourceText subject_source(const std::string& name_or_path, const std::string& data);
+[[nodiscard]] SourceText subject_source(const std::string& name_or_path, const std::string& data,
+                                        const char* field = "subject");
 
 /// Returns the name itself if the subject has such a digit, the only digit if the name is empty.
 /// @throws InputError listing the subject's digits.

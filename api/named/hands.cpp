@@ -122,9 +122,11 @@ HandName split_name(const std::string& name) {
 
 }  // namespace
 
-std::string robot_file(const std::string& name, const std::vector<std::string>& places) {
-  if (name.empty() || name.find('/') != std::string::npos) return "";
-  return find_in(places, (fs::path("robots") / (name + ".toml")).string());
+std::optional<std::string> robot_file(const std::string& name,
+                                      const std::vector<std::string>& places) {
+  if (name.empty() || name.find('/') != std::string::npos) return {};
+  const std::string file = find_in(places, (fs::path("robots") / (name + ".toml")).string());
+  return file.empty() ? std::nullopt : std::optional(file);
 }
 
 namespace {
@@ -141,8 +143,7 @@ HandSource find_source(const std::string& name, const HandName& parts,
   // The built-in human, then a file, then a name in the data folders.
   if (base == kHuman) return {true, "", version.value_or(HumanVersion::kTendonNet), path};
   if (is_file(base)) return file_source(base, version, path);
-  const std::string library = robot_file(base, places);
-  if (!library.empty()) return file_source(library, version, path);
+  if (const auto library = robot_file(base, places)) return file_source(*library, version, path);
   // A hand that there is, with a version that there is not.
   if (const std::size_t colon = name.rfind(':'); colon != std::string::npos)
     if (const std::string whose = name.substr(0, colon); whose == kHuman || is_file(whose))

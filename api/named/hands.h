@@ -69,8 +69,8 @@ struct HandSource {
 /// ":tendons:via"; "" if there is none.
 [[nodiscard]] std::string version_of_hand(const std::string& name);
 
-/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
-[[nodiscard]] std::string robot_file(const std::string& name,
-                                     const std::vector<std::string>& places);
+/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; absent: there is none.
+[[nodiscard]] std::optional<std::string> robot_file(const std::string& name,
+                                                    const std::vector<std::string>& places);
 
 }  // namespace thenar

@@ -53,10 +53,10 @@ std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
 /// The robot's file, for mounting. @throws InputError if it is no robot.
 std::string file_of(const WorldSpec& world, const PlacedHand& placed, const Places& data) {
   if (!placed.file.empty()) return beside(world, placed.file);
-  std::string library = robot_file(placed.name, data);
-  require(!library.empty(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
+  const std::optional<std::string> library = robot_file(placed.name, data);
+  require(library.has_value(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
           placed.name, places_words(data));
-  return library;
+  return *library;
 }
 
 std::size_t index_of(const WorldSpec& world, const std::string& name) {
