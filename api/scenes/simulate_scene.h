@@ -60,7 +60,7 @@ struct [[nodiscard]] SceneSweepResult {
 /// the result, which is the same as without mpirun; the others get no value. Call it once in a
 /// program.
 /// @throws as simulate_scene(), or for more than kMaxRuns runs; where several processes fail, the
-/// first throws.
+///         first throws.
 [[nodiscard]] std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request,
                                                           const Progress& progress = {});
 inline constexpr std::size_t kMaxRuns = 10000;  // largest number of runs of a sweep [1]
