@@ -1,7 +1,6 @@
 #include "api/scenes/write_scene_run.h"
 
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -113,35 +112,43 @@ void add_elements(const SceneResult& scene, const std::string& group, ResultFile
 
 /// Contacts of all instants, one below the other.
 void add_contacts(const SceneResult& scene, const std::string& group, ResultFile& file) {
-  // A run without contacts has no such tables.
-  const std::vector<SceneSample>& samples = scene.run.samples;
-  const std::size_t count =
-      std::accumulate(samples.begin(), samples.end(), std::size_t{0},
-                      [](std::size_t sum, const auto& each) { return sum + each.contacts.size(); });
-  if (count == 0) return;
-  // Collect all contacts in one table; each row starts with the number of its instant.
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(count), 18);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    for (const ContactSample& c : samples[i].contacts)
-      rows.row(row++) << static_cast<double>(i), c.a, c.b, static_cast<double>(c.id),
-          static_cast<double>(c.mode), c.gap, c.torsion, c.point.transpose(), c.normal.transpose(),
-          c.force.transpose(), c.area, c.stick;
-  const auto add = [&](const std::string& key, Eigen::Index column, const std::string& unit) {
-    file.add(group + key, rows.col(column), unit, {"contact"});
+  // List all contacts and their instants; a run without contacts has no such tables.
+  std::vector<double> instants;
+  std::vector<const ContactSample*> contacts;
+  for (std::size_t i = 0; i < scene.run.samples.size(); ++i)
+    for (const ContactSample& contact : scene.run.samples[i].contacts) {
+      instants.push_back(static_cast<double>(i));
+      contacts.push_back(&contact);
+    }
+  if (contacts.empty()) return;
+  // Write one column for each number, and a table for each vector.
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  const auto add = [&](const char* key, const char* unit, auto ContactSample::*number) {
+    Eigen::VectorXd column(count);
+    for (Eigen::Index k = 0; k < count; ++k)
+      column[k] = static_cast<double>(contacts[static_cast<std::size_t>(k)]->*number);
+    file.add(group + key, column, unit, {"contact"});
   };
-  add("contact_instant", 0, "1");
-  add("contact_body_a", 1, "1");
-  add("contact_body_b", 2, "1");
-  add("contact_id", 3, "1");
-  add("contact_mode", 4, "1");
-  add("contact_gap", 5, "m");
-  add("contact_torsion", 6, "N m");
-  file.add(group + "contact_point", rows.middleCols(7, 3), "m", {"contact", "axis"});
-  file.add(group + "contact_normal", rows.middleCols(10, 3), "1", {"contact", "axis"});
-  file.add(group + "contact_force", rows.middleCols(13, 3), "N", {"contact", "axis"});
-  add("contact_area", 16, "m^2");
-  add("contact_stick", 17, "1");
+  const auto add_vectors = [&](const char* key, const char* unit,
+                               Eigen::Vector3d ContactSample::*vector) {
+    Eigen::MatrixXd table(count, 3);
+    for (Eigen::Index k = 0; k < count; ++k)
+      table.row(k) = contacts[static_cast<std::size_t>(k)]->*vector;
+    file.add(group + key, table, unit, {"contact", "axis"});
+  };
+  const Eigen::VectorXd instant = Eigen::Map<const Eigen::VectorXd>(instants.data(), count);
+  file.add(group + "contact_instant", instant, "1", {"contact"});
+  add("contact_body_a", "1", &ContactSample::a);
+  add("contact_body_b", "1", &ContactSample::b);
+  add("contact_id", "1", &ContactSample::id);
+  add("contact_mode", "1", &ContactSample::mode);
+  add("contact_gap", "m", &ContactSample::gap);
+  add("contact_torsion", "N m", &ContactSample::torsion);
+  add_vectors("contact_point", "m", &ContactSample::point);
+  add_vectors("contact_normal", "1", &ContactSample::normal);
+  add_vectors("contact_force", "N", &ContactSample::force);
+  add("contact_area", "m^2", &ContactSample::area);
+  add("contact_stick", "1", &ContactSample::stick);
 }
 
 /// Energy that does not balance, and joints that went beyond their limits.
