@@ -17,6 +17,20 @@ std::map<std::string, double> named_numbers(const Json& params, const std::strin
   return numbers;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+OrderedJson reply_json(const Fields& fields) {
+  OrderedJson json = OrderedJson::object();
+  for (const Field& field : fields.all()) {
+    const OrderedJson value = field.is_list ? list_of_each<OrderedJson>(field.parts, reply_json)
+                              : field.parts.empty()
+                                  ? value_in(field.value, field.unit, UnitSystem::kSi)
+                                  : reply_json(field.parts.front());
+    if (*field.unit.printed == '\0') json[field.key] = value;
+    json[key_with(field.key, field.unit, UnitSystem::kSi)] = value;
+  }
+  return json;
+}
+
 void MethodTable::add(RpcMethod method) {
   require(!has_method(method.name), "there are two methods '{}'", method.name);
   methods_.push_back(std::move(method));
@@ -28,9 +42,8 @@ bool MethodTable::has_method(const std::string& name) const {
 
 const RpcMethod& MethodTable::method_named(const std::string& name) const {
   if (const RpcMethod* found = find_named(methods_, name)) return *found;
-  const auto names = transformed(methods_, [](const RpcMethod& method) { return method.name; });
   throw InputError(fmt::format("no method '{}'{} session.methods lists all", name,
-                               hint_before_list(name, names)));
+                               hint_before_list(name, names_of(methods_))));
 }
 
 }  // namespace thenar

@@ -73,6 +73,9 @@ ask_feasible_force(const FeasibleForceRequest& request, const Progress& progress
                                                               const Progress& progress) {
   compute_postures(result, compute, record, progress);
 }
+[[deprecated("is_trusted()")]] [[nodiscard]] constexpr bool trusted(TendonStatus status) {
+  return is_trusted(status);
+}
 [[deprecated("measure_contacts()")]] [[nodiscard]] inline ContactQualityResult contact_quality(
     const ContactQualityRequest& request) {
   return measure_contacts(request);

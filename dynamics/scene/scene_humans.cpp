@@ -33,8 +33,7 @@ struct MuscleDrive {
 std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   std::vector<std::string> names;
   for (const HumanDigit& digit : hand.digits)
-    for (const std::string& name : digit.tendons->digit().names.muscles)
-      if (!contains(names, name)) names.push_back(name);
+    append_new(names, digit.tendons->digit().names.muscles);
   return names;
 }
 
