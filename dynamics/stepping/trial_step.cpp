@@ -31,13 +31,12 @@ StepTrials::StepTrials(ContactStep& step, const SceneOptions& options, ProblemCo
 
 void StepTrials::try_step(const Beginning& from, double length) {
   checked_end_ = false;
-  verdict_ = Verdict::kContinue;
+  columns_.restart();
   counts_.clear();
   step_.select_active_forces(from.state.t);
   if (from.closed.empty() && !step_.is_stiff(from.state, length))
     return take_free_step(from, length);
   // Add columns of 1, 2, .. substeps and extrapolate them while no mode changes.
-  columns_.restart();
   bool smooth = true;
   for (int n = 1; n <= options_.columns; ++n) {
     StepTrial& column = table_[n - 1];
@@ -45,7 +44,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
     if (!take_substeps(from, length, n, column)) return;
     smooth = smooth && column.is_smooth && same_modes(column.active, table_[0].active);
     column.is_smooth = smooth;
-    if (smooth ? extrapolate_column(column) : n >= kModeChangeColumns) break;
+    if (smooth ? extrapolate_column(column, n) : n >= kModeChangeColumns) break;
   }
   StepTrial& last = result();
   if (!smooth) {
@@ -56,25 +55,23 @@ void StepTrials::try_step(const Beginning& from, double length) {
     // the slip before.
     last.error =
         std::max(last.error, 2 * max_reversed_slip(from.closed, last.active) / options_.tolerance);
-    verdict_ = Verdict::kContinue;
   }
   // Check the gaps of the extrapolated positions.
   if (last.error <= 1 || length <= options_.shortest) check_end(from, length, last);
 }
 
-/// Extrapolates with a further column. @return true if the trial ends with it, accepted or
-/// rejected; it then holds the extrapolated state
-bool StepTrials::extrapolate_column(StepTrial& column) {
+/// Extrapolates with a further column, of n substeps. @return true if the trial ends with it,
+/// accepted or rejected; it then holds the extrapolated state
+bool StepTrials::extrapolate_column(StepTrial& column, int n) {
   // Estimate the error by the difference of the two highest orders.
-  columns_.add_column(column.state);
-  if (columns_.column_count() < 2) return false;
+  columns_.add_column(column.state, n);
+  if (n < 2) return false;
   const double ratio = std::max(kOrderRatio, std::min(1.0, kOrderRounding / options_.tolerance));
   column.error =
       scaled_difference(columns_.highest_order(), columns_.lower_order(), kSpeedErrorTime) / ratio;
-  verdict_ = columns_.judge(column.error);
-  if (verdict_ == Verdict::kContinue) return false;
+  if (!columns_.judge(column.error)) return false;
   // Store the extrapolated state in the column.
-  column.order = columns_.column_count();
+  column.order = n;
   column.state = columns_.highest_order();
   step_.normalise_quaternions(column.state.q);
   return true;

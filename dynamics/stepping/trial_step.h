@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "dynamics/stepping/contact_step.h"
@@ -64,8 +65,6 @@ struct StepTrial {
 /// Integrator of trial steps from one state. Owns their workspace.
 class StepTrials {
  public:
-  using Verdict = Extrapolation::Verdict;
-
   /// @param step, options, counts  must outlive the object
   /// @param like  any state of the scene, for the sizes
   StepTrials(ContactStep& step, const SceneOptions& options, ProblemCounts& counts,
@@ -83,11 +82,12 @@ class StepTrials {
   void try_step(const Beginning& from, double length);
 
   [[nodiscard]] StepTrial& result() { return table_[result_]; }
-  /// Returns the verdict of Extrapolation on the last column; kContinue if it gave none.
-  [[nodiscard]] Verdict verdict() const { return verdict_; }
-  /// Returns the length that Extrapolation proposes for the next step or trial [s].
-  [[nodiscard]] double next_length(double length, double longest) {
-    return columns_.next_length(length, longest, verdict_);
+  /// Returns the verdict of Extrapolation on the last column; empty: it gave none.
+  [[nodiscard]] std::optional<Extrapolation::Verdict> verdict() const { return columns_.verdict(); }
+  /// Returns the length that Extrapolation proposes for the next step or trial [s]. Call it at most
+  /// once for each trial, after a verdict.
+  [[nodiscard]] double plan_next(double length, double max_length) {
+    return columns_.plan_next(length, max_length);
   }
   /// Finds the contacts at the end of the result, unless try_step() has done so.
   void find_end_contacts();
@@ -97,7 +97,7 @@ class StepTrials {
   void discard_rates() { free_.discard_first_stage(); }
 
  private:
-  [[nodiscard]] bool extrapolate_column(StepTrial& column);
+  [[nodiscard]] bool extrapolate_column(StepTrial& column, int n);
   [[nodiscard]] bool take_substeps(const Beginning& from, double length, int n, StepTrial& column);
   [[nodiscard]] double estimate_closing_time(double h, int substep) const;
   [[nodiscard]] double scaled_difference(const SceneState& a, const SceneState& b,
@@ -118,7 +118,6 @@ class StepTrials {
   StepOutcome outcome_;
   FreeStep free_;
   Extrapolation columns_;
-  Verdict verdict_ = Verdict::kContinue;
 };
 
 }  // namespace thenar
