@@ -450,38 +450,41 @@ void add_elements(const SceneResult& scene, const std::string& group, ResultFile
 
 /// Contacts of all instants, one below the other.
 void add_contacts(const SceneResult& scene, const std::string& group, ResultFile& file) {
-  // Collect all contacts in one table; each row starts with the number of its instant.
-  std::vector<std::vector<double>> rows;
+  // List all contacts and their instants; a run without contacts has no such tables.
+  std::vector<double> instants;
+  std::vector<const ContactSample*> contacts;
   for (std::size_t i = 0; i < scene.run.samples.size(); ++i)
-    for (const ContactSample& c : scene.run.samples[i].contacts)
-      rows.push_back({static_cast<double>(i), static_cast<double>(c.a), static_cast<double>(c.b),
-                      static_cast<double>(c.id), static_cast<double>(c.mode), c.gap, c.torsion,
-                      c.point.x(), c.point.y(), c.point.z(), c.normal.x(), c.normal.y(),
-                      c.normal.z(), c.force.x(), c.force.y(), c.force.z(), c.area, c.stick});
-  const auto columns = [&](std::size_t first, std::size_t count) {
-    Eigen::MatrixXd out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(count));
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      for (std::size_t k = 0; k < count; ++k)
-        out(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) = rows[r][first + k];
-    return out;
+    for (const ContactSample& contact : scene.run.samples[i].contacts) {
+      instants.push_back(static_cast<double>(i));
+      contacts.push_back(&contact);
+    }
+  if (contacts.empty()) return;
+  // Write one column for each number, and a table for each vector.
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  const auto add = [&](const char* key, const char* unit, auto ContactSample::*number) {
+    Eigen::VectorXd column(count);
+    for (Eigen::Index k = 0; k < count; ++k) column[k] = static_cast<double>(contacts[k]->*number);
+    file.add(group + key, column, unit, {"contact"});
   };
-  const auto add = [&](const std::string& key, std::size_t column, const std::string& unit) {
-    file.add(group + key, columns(column, 1).col(0).eval(), unit, {"contact"});
+  const auto add_vectors = [&](const char* key, const char* unit,
+                               Eigen::Vector3d ContactSample::*vector) {
+    Eigen::MatrixXd table(count, 3);
+    for (Eigen::Index k = 0; k < count; ++k) table.row(k) = contacts[k]->*vector;
+    file.add(group + key, table, unit, {"contact", "axis"});
   };
-  // A run without contacts has no such tables.
-  if (rows.empty()) return;
-  add("contact_instant", 0, "1");
-  add("contact_body_a", 1, "1");
-  add("contact_body_b", 2, "1");
-  add("contact_id", 3, "1");
-  add("contact_mode", 4, "1");
-  add("contact_gap", 5, "m");
-  add("contact_torsion", 6, "N m");
-  file.add(group + "contact_point", columns(7, 3), "m", {"contact", "axis"});
-  file.add(group + "contact_normal", columns(10, 3), "1", {"contact", "axis"});
-  file.add(group + "contact_force", columns(13, 3), "N", {"contact", "axis"});
-  add("contact_area", 16, "m^2");
-  add("contact_stick", 17, "1");
+  const Eigen::VectorXd instant = Eigen::Map<const Eigen::VectorXd>(instants.data(), count);
+  file.add(group + "contact_instant", instant, "1", {"contact"});
+  add("contact_body_a", "1", &ContactSample::a);
+  add("contact_body_b", "1", &ContactSample::b);
+  add("contact_id", "1", &ContactSample::id);
+  add("contact_mode", "1", &ContactSample::mode);
+  add("contact_gap", "m", &ContactSample::gap);
+  add("contact_torsion", "N m", &ContactSample::torsion);
+  add_vectors("contact_point", "m", &ContactSample::point);
+  add_vectors("contact_normal", "1", &ContactSample::normal);
+  add_vectors("contact_force", "N", &ContactSample::force);
+  add("contact_area", "m^2", &ContactSample::area);
+  add("contact_stick", "1", &ContactSample::stick);
 }
 
 /// Energy that does not balance, and joints that went beyond their limits.
