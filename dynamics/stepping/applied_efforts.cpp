@@ -85,8 +85,10 @@ void AppliedEfforts::advance_states(double h, SceneState& state) const {
 
 void AppliedEfforts::compute_powers(const SceneMotion& motion, const StepEfforts& at) {
   if (!has_flows_) return;
-  power.head<kFreeFlowCount>() << applied_powers(scene_, model_.layout, motion.links(), at),
-      elements.passive_power();
+  const AppliedPowers powers = applied_powers(scene_, model_.layout, motion.links(), at);
+  power[kAppliedWork] = powers.applied;
+  power[kDamperLoss] = powers.damped;
+  power[kPassiveWork] = elements.passive_power();
 }
 
 double AppliedEfforts::spring_energy(const SceneState& state) const {
