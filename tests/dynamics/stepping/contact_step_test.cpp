@@ -15,14 +15,14 @@ using Eigen::Vector3d;
 using sample::primitive;
 
 /// A fixed floor whose top is the plane z = 0.
-void add_floor(MovingScene& scene) {
+void add_level_floor(MovingScene& scene) {
   (void)sample::add_body(scene, "floor", primitive(ShapeKind::kBox, {1, 1, 0.1}), 0,
                          {Eigen::Matrix3d::Identity(), {0, 0, -0.05}});
 }
 
 /// A free ball whose centre is at a point.
-void add_ball(MovingScene& scene, const char* name, double radius, double mass,
-              const Vector3d& centre) {
+void add_free_ball(MovingScene& scene, const char* name, double radius, double mass,
+                   const Vector3d& centre) {
   (void)sample::add_body(scene, name, primitive(ShapeKind::kSphere, {radius, 0, 0}), mass,
                          {Eigen::Matrix3d::Identity(), centre});
 }
@@ -49,10 +49,10 @@ struct OneStep {
 constexpr double kBallRadius = 0.02, kBallWeight = 0.05;  // [m], [kg]
 
 /// A ball that touches a floor.
-MovingScene ball_on_floor(const Vector3d& velocity, double restitution, double friction) {
+MovingScene touching_ball(const Vector3d& velocity, double restitution, double friction) {
   MovingScene scene;
-  add_floor(scene);
-  add_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius});
+  add_level_floor(scene);
+  add_free_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius});
   scene.v.tail<3>() = velocity;
   scene.friction.restitution = restitution;
   scene.friction.coefficient = friction;
@@ -63,7 +63,7 @@ MovingScene ball_on_floor(const Vector3d& velocity, double restitution, double f
 TEST(ContactStepImpact, OfABallOnAFloorObeysNewtonsLaw) {
   for (const double e : {0.0, 0.5, 1.0}) {
     SCOPED_TRACE(e);
-    OneStep at(ball_on_floor({0.3, 0, -2}, e, 0));
+    OneStep at(touching_ball({0.3, 0, -2}, e, 0));
     ASSERT_EQ(at.touching.size(), 1U);
     at.resolve_impact();
     EXPECT_TRUE(at.outcome.solved);
@@ -77,7 +77,7 @@ TEST(ContactStepImpact, OfABallOnAFloorObeysNewtonsLaw) {
 }
 
 TEST(ContactStepImpact, LeavesABallThatRises) {
-  OneStep at(ball_on_floor({0.3, 0, 2}, 0.5, 0.8));
+  OneStep at(touching_ball({0.3, 0, 2}, 0.5, 0.8));
   const Eigen::VectorXd before = at.state.v;
   at.resolve_impact();
   EXPECT_LT((at.state.v - before).norm(), 1e-12);
@@ -88,7 +88,7 @@ TEST(ContactStepImpact, LeavesABallThatRises) {
 // make it roll, at 5/7 u, and dissipates  m u^2 / 7.
 TEST(ContactStepImpact, WithMuchFrictionMakesABallRoll) {
   const double e = 0.4, u = 0.7, fall = 1.5;
-  OneStep at(ball_on_floor({u, 0, -fall}, e, 0.5));
+  OneStep at(touching_ball({u, 0, -fall}, e, 0.5));
   ASSERT_LT(2.0 / 7 * u, 0.5 * (1 + e) * fall);  // it sticks
   at.resolve_impact();
   const double rolls = 5.0 / 7 * u;
@@ -102,7 +102,7 @@ TEST(ContactStepImpact, WithMuchFrictionMakesABallRoll) {
 // it slows the centre.
 TEST(ContactStepImpact, WithLittleFrictionLetsABallSlide) {
   const double e = 0.4, u = 2, fall = 1.5, mu = 0.1, slowed = mu * (1 + e) * fall;
-  OneStep at(ball_on_floor({u, 0, -fall}, e, mu));
+  OneStep at(touching_ball({u, 0, -fall}, e, mu));
   ASSERT_GT(u, 3.5 * slowed);  // it slides
   at.resolve_impact();
   EXPECT_LT((at.state.v.tail<3>() - Vector3d(u - slowed, 0, e * fall)).norm(), 1e-8);
@@ -115,8 +115,8 @@ TEST(ContactStepImpact, WithLittleFrictionLetsABallSlide) {
 TEST(ContactStepImpact, OfTwoBallsConservesMomentum) {
   const double m1 = 0.1, m2 = 0.3, v1 = 1.2, v2 = -0.4, e = 0.6;
   MovingScene scene;
-  add_ball(scene, "one", 0.01, m1, {0, 0, 0});
-  add_ball(scene, "two", 0.02, m2, {0.03, 0, 0});
+  add_free_ball(scene, "one", 0.01, m1, {0, 0, 0});
+  add_free_ball(scene, "two", 0.02, m2, {0.03, 0, 0});
   scene.v[3] = v1;
   scene.v[9] = v2;
   scene.friction.restitution = e;
@@ -155,8 +155,8 @@ TEST(ContactStepProjection, MovesABallToTheFloor) {
   for (const double gap : {5e-5, -5e-5}) {
     SCOPED_TRACE(gap);
     MovingScene scene;
-    add_floor(scene);
-    add_ball(scene, "ball", kBallRadius, kBallWeight, {0.1, 0.2, kBallRadius + gap});
+    add_level_floor(scene);
+    add_free_ball(scene, "ball", kBallRadius, kBallWeight, {0.1, 0.2, kBallRadius + gap});
     scene.v.setConstant(0.3);
     OneStep at(scene);
     ASSERT_EQ(at.touching.size(), 1U);
@@ -170,8 +170,8 @@ TEST(ContactStepProjection, MovesABallToTheFloor) {
 
 TEST(ContactStepProjection, CorrectsNoMoreThanAllowed) {
   MovingScene scene;
-  add_floor(scene);
-  add_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius + 5e-5});
+  add_level_floor(scene);
+  add_free_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius + 5e-5});
   OneStep at(scene);
   at.close_gaps(1e-5);
   EXPECT_NEAR(at.state.q.tail<1>()[0], kBallRadius + 4e-5, 1e-12);
@@ -179,8 +179,8 @@ TEST(ContactStepProjection, CorrectsNoMoreThanAllowed) {
 
 TEST(ContactStepProjection, LeavesContactsWithoutAForce) {
   MovingScene scene;
-  add_floor(scene);
-  add_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius + 5e-5});
+  add_level_floor(scene);
+  add_free_ball(scene, "ball", kBallRadius, kBallWeight, {0, 0, kBallRadius + 5e-5});
   OneStep at(scene);
   at.touching[0].mode = ContactMode::kOpen;
   at.step.close_gaps(at.state, at.touching, 1);
@@ -191,8 +191,8 @@ TEST(ContactStepProjection, LeavesContactsWithoutAForce) {
 TEST(ContactStepProjection, MovesTheLighterOfTwoBallsFarther) {
   const double m1 = 0.1, m2 = 0.3, gap = 4e-5;
   MovingScene scene;
-  add_ball(scene, "one", 0.01, m1, {0, 0, 0});
-  add_ball(scene, "two", 0.02, m2, {0.03 + gap, 0, 0});
+  add_free_ball(scene, "one", 0.01, m1, {0, 0, 0});
+  add_free_ball(scene, "two", 0.02, m2, {0.03 + gap, 0, 0});
   OneStep at(scene);
   at.close_gaps(1);
   EXPECT_NEAR(at.state.q[4], gap * m2 / (m1 + m2), 1e-12);
