@@ -338,7 +338,6 @@ class PointSums {
     if (with_force_) out.force.setZero(3 * N);
     if (with_stiffness_) out.stiffness.setZero(3 * N, 3 * N);
     if (with_force_) out.elastic.resize(N);
-    iso_.tangent.setZero();
     for (int q = N; q < kPoints; ++q)
       set_point(kPoints, q, 0, Voigt::Zero(), &iso_.tangent, stresses_);
   }

@@ -67,10 +67,10 @@ class PadElement final : public ForceElement {
   using PushMemory = std::array<ExponentialMemory, 6>;
   /// Predicted push of the object on the pad.
   struct Prediction {
-    Vector6 push;                // moment and force, pad's frame, about its origin [N m], [N] (6)
-    double stiffness_ratio = 1;  // stiffness against a motion in this step, over K [1]
-    double change = 0;           // change of the push since the pad moved, over allowed_error [1]
-    double allowed_error = 1;    // largest error of the push [N]
+    Vector6 push = Vector6::Zero();  // moment, force, pad's frame, about its origin [N m], [N] (6)
+    double stiffness_ratio = 1;      // stiffness against a motion in this step, over K [1]
+    double change = 0;         // change of the push since the pad moved, over allowed_error [1]
+    double allowed_error = 1;  // largest error of the push [N]
   };
   /// Returns the pose X_PO of the object in the pad's frame.
   [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;

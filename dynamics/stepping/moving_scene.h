@@ -56,8 +56,8 @@ struct SceneDrive {
 
 /// Target of a drive and its rate.
 struct DriveTarget {
-  double value;  // target [rad] or [m]
-  double speed;  // rate of the target [rad/s] or [m/s]
+  double value = 0;  // target [rad] or [m]
+  double speed = 0;  // rate of the target [rad/s] or [m/s]
 };
 
 /// Computes the target of a drive at an instant. A step evaluates one line segment of the table

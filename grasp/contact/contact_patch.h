@@ -18,12 +18,12 @@ namespace thenar {
 /// One connected region of contact.
 struct ContactPatch {
   std::vector<HandContact>
-      contacts;     // in B's frame; surface, patch -1 and torsion 0 are left to the caller
-  double distance;  // minimum in the patch; negative: overlap [m]
+      contacts;         // in B's frame; surface, patch -1 and torsion 0 are left to the caller
+  double distance = 0;  // minimum in the patch; negative: overlap [m]
   /// Maximum distance of a touching point from the hull of the contacts; it changes the wrench of
   /// unit normal force by a torque of at most loss sqrt(1 + friction^2) [m]
-  double loss;
-  Eigen::Vector3d normal;  // normal at its nearest point, into B, unit (3)
+  double loss = 0;
+  Eigen::Vector3d normal{0, 0, 0};  // normal at its nearest point, into B, unit (3)
 };
 
 /// Settings of contact_patches().

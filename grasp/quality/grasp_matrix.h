@@ -20,12 +20,12 @@ namespace thenar {
 
 /// Measures of a grasp matrix G. Rows that are zero in a planar problem are left out.
 struct GraspMatrixMeasures {
-  int rank;                   // number of singular values above 1e-12 of the largest
-  double min_singular_value;  // distance from losing rank; 0 below full rank [1]
-  double isotropy;  // smallest over largest singular value; 1: equal in all directions [1]
-  double volume;  // sqrt(det G G'), product of singular values: volume of the ellipsoid of wrenches
-                  // of forces |f| = 1, over that of the unit ball [1]
-  int internal_forces;  // dimension of the null space of G: internal forces
+  int rank = 0;                   // number of singular values above 1e-12 of the largest
+  double min_singular_value = 0;  // distance from losing rank; 0 below full rank [1]
+  double isotropy = 0;  // smallest over largest singular value; 1: equal in all directions [1]
+  double volume = 0;    // sqrt(det G G'), product of singular values: volume of the ellipsoid of
+                        // wrenches of forces |f| = 1, over that of the unit ball [1]
+  int internal_forces = 0;  // dimension of the null space of G: internal forces
 };
 
 /// Computes the measures of a grasp matrix. @param G  (3 or 6, k), finite

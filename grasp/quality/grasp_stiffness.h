@@ -22,9 +22,9 @@ struct JointStiffness {
 /// Stiffness of a grasp: wrench on the object per displacement. Torques are divided and rotations
 /// multiplied by the torque scale, so that all are forces and lengths.
 struct GraspStiffness {
-  Eigen::Matrix<double, 6, 6> K;  // [N/m]
-  double min_eigenvalue;          // stiffness of the softest direction [N/m]
-  ScaledMotion softest;  // unit displacement of the softest direction, rotation times scale
+  Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();  // [N/m]
+  double min_eigenvalue = 0;  // stiffness of the softest direction [N/m]
+  ScaledMotion softest;       // unit displacement of the softest direction, rotation times scale
 };
 
 /// Computes K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in

@@ -8,10 +8,10 @@ namespace thenar {
 
 /// Measures of the singular values of a map.
 struct Manipulability {
-  double volume;              // product of all singular values, sqrt(det M M')
-  double min_singular_value;  // smallest singular value: that of the worst direction
-  double isotropy;            // smallest over largest; 1: equal in all directions, 0: singular [1]
-  int rank;                   // number of singular values above 1e-12 of the largest
+  double volume = 0;              // product of all singular values, sqrt(det M M')
+  double min_singular_value = 0;  // smallest singular value: that of the worst direction
+  double isotropy = 0;  // smallest over largest; 1: equal in all directions, 0: singular [1]
+  int rank = 0;         // number of singular values above 1e-12 of the largest
 };
 
 /// Computes manipulability measures of a Jacobian or a grasp map M (rows <= columns for full rank):

@@ -36,11 +36,11 @@ struct RobustnessOptions {
 
 /// Distribution of epsilon over the samples.
 struct Robustness {
-  double closure;           // share of samples with force closure [1]
-  double closure_lower;     // lower end of Wilson's 95 % interval of its probability [1]
-  double closure_upper;     // upper end [1]
-  Eigen::VectorXd epsilon;  // certified lower bounds, ascending; -infinity for misses (draws)
-  int misses = 0;           // number of samples without any contact
+  double closure = 0;        // share of samples with force closure [1]
+  double closure_lower = 0;  // lower end of Wilson's 95 % interval of its probability [1]
+  double closure_upper = 1;  // upper end [1]
+  Eigen::VectorXd epsilon;   // certified lower bounds, ascending; -infinity for misses (draws)
+  int misses = 0;            // number of samples without any contact
 
   /// Returns a quantile of epsilon, interpolated linearly; -infinity if that uses a miss.
   /// @param p  in [0, 1]

@@ -17,20 +17,22 @@ namespace thenar {
 struct FingerBone {
   std::string segment;
   int link = -1;
-  Eigen::Vector3d proximal, distal;  // ends of its line, joint centres or the tip [m] (3)
-  Eigen::Vector3d along;             // unit direction towards proximal (3)
-  Eigen::Vector3d dorsal, radial;    // unit directions square to `along` (3)
-  double length;                     // length of the line [m]
-  double ratio[2];  // ratio of the extensor's height to that in the net's reference finger, at the
-                    // proximal and distal end [1]
+  // Ends of its line: joint centres or the tip [m] (3).
+  Eigen::Vector3d proximal{0, 0, 0}, distal{0, 0, 0};
+  Eigen::Vector3d along{0, 0, 0};                    // unit direction towards proximal (3)
+  Eigen::Vector3d dorsal{0, 0, 0}, radial{0, 0, 0};  // unit directions square to `along` (3)
+  double length = 0;                                 // length of the line [m]
+  double ratio[2] = {1, 1};  // ratio of the extensor's height to that in the net's reference
+                             // finger, at the proximal and distal end [1]
 };
 
 /// Geometry of a finger on which a net is built.
 struct FingerFrame {
   std::array<FingerBone, 4> bones;  // bones by BoneRole
-  std::array<double, 3> height;  // height of the extensor over the joints' axes, by FingerJoint [m]
-  Eigen::VectorXd straight;      // posture in which the bones' lines are parallel [rad]
-  double scale;                  // length of the phalanges over that of the reference finger [1]
+  // Height of the extensor over the joints' axes, by FingerJoint [m].
+  std::array<double, 3> height{};
+  Eigen::VectorXd straight;  // posture in which the bones' lines are parallel [rad]
+  double scale = 1;          // length of the phalanges over that of the reference finger [1]
 
   /// Returns the bone with a role.
   [[nodiscard]] const FingerBone& bone(BoneRole role) const {
