@@ -44,13 +44,13 @@ struct HeldJoints {
 /// Returns the options of the tip load at one posture, in the axes of the request.
 TipLoadOptions options_of(const FeasibleForceRequest& request, const HeldJoints& held,
                           const ForceAxes& axes) {
-  return {request.load,  request.tolerance, request.most_other,
+  return {request.load,  request.tolerance, request.max_other,
           axes.to_world, /*prices=*/true,   held.stops};
 }
 
 /// A map knows moments about some axes only: the others are not zero but unknown.
 void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& at) {
-  if (at.map.empty() || (request.load == TipLoad::kForce && request.most_other == 0)) return;
+  if (at.map.empty() || (request.load == TipLoad::kForce && request.max_other == 0)) return;
   require(has_rotation(at.statics), "tip map '{}' of '{}' has no moments", at.map, at.subject);
   // A row of zeros in W marks an axis about which the map was not measured.
   const Eigen::VectorXd known = at.statics.W.cwiseAbs().rowwise().sum();
@@ -322,9 +322,9 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
   require(request.tolerance >= 0 && request.tolerance < kPi / 2,
           "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
           request.tolerance / kDegree);
-  require(request.most_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
+  require(request.max_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
           request.load == TipLoad::kForce ? "moments" : "forces",
-          request.load == TipLoad::kForce ? "N m" : "N", request.most_other);
+          request.load == TipLoad::kForce ? "N m" : "N", request.max_other);
   // A held wrist is welded, which takes its joints out of the posture as well.
   DigitRequest asked = request.digit;
   asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;

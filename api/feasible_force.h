@@ -40,7 +40,7 @@ inline constexpr std::array kDirectionFrameNames{EnumName{DirectionFrame::kWorld
 struct FeasibleForceRequest {
   DigitRequest digit;
   TipLoad load = TipLoad::kForce;  // requested load: force or moment
-  double most_other = 0;           // bound on each component of the other load in `frame`; 0: none;
+  double max_other = 0;            // bound on each component of the other load in `frame`; 0: none;
                                    // infinite: a rigid hold [N m] or [N]
   std::optional<Eigen::Vector3d> direction;       // any length; absent: the set
   double tolerance = 0;                           // half angle of the cone about it [rad]
@@ -124,7 +124,7 @@ inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 /// muscles of other digits cross it too, but are left out, as the joints of those digits would have
 /// to be in balance with them; a warning names them.
 /// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
-/// [0, pi/2) rad, a negative `most_other`, muscles of unknown strength, axes of the tip of a map,
+/// [0, pi/2) rad, a negative `max_other`, muscles of unknown strength, axes of the tip of a map,
 /// moments that a map does not know, a wrist that is not held where no joint is shared, or a stop
 /// of no free joint or without torque; DataError for a wrong file.
 [[nodiscard]] FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,

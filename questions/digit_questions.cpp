@@ -61,10 +61,10 @@ void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, con
                       "{} are asked for beside {} alone, and {} is wanted", key,
                       load == TipLoad::kForce ? "a force" : "a moment",
                       load == TipLoad::kForce ? "a moment" : "a force");
-        read_value(value, request.most_other);
+        read_value(value, request.max_other);
       },
       [=](const FeasibleForceRequest& request) {
-        return request.load == load ? value_json(request.most_other) : Json();
+        return request.load == load ? value_json(request.max_other) : Json();
       });
 }
 

@@ -39,7 +39,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
                  SimTK::Vector& on_joints) const override {
     // Forces that act at this time.
     for (const SceneForce& force : scene_.forces) {
-      if (!force.when.holds(acting_)) continue;
+      if (!force.when.contains(acting_)) continue;
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(force.body));
       body.applyForceToBodyPoint(state, to_simbody(force.point), to_simbody(force.force),
                                  on_bodies);
@@ -47,7 +47,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
     }
     // Drives act on the leading joint of their coordinate.
     for (const SceneDrive& drive : scene_.drives) {
-      if (!drive.when.holds(acting_)) continue;
+      if (!drive.when.contains(acting_)) continue;
       const int lead = bodies_.leader(drive.coordinate);
       const MechanismJoint& joint = joint_of(lead);
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(lead));

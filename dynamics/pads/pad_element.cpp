@@ -80,7 +80,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
   out.stiffness_ratio = weights.now;
-  out.change = equivalent_force(out.push - six_of(kept_.contact.push)) / out.allowed_error;
+  out.change = equivalent_force(out.push - wrench_vector(kept_.contact.push)) / out.allowed_error;
   // A pad cannot pull.
   if (out.push.tail<3>().dot(kept_.contact.normal) <= 0) {
     out.push.setZero();
@@ -140,7 +140,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   // Compare the predicted push with the solution.
   const double allowed =
       std::max(predicted.allowed_error, options_.force_error * trial_.contact.push.force.norm());
-  trial_.error = equivalent_force(six_of(trial_.contact.push) - predicted.push) / allowed;
+  trial_.error = equivalent_force(wrench_vector(trial_.contact.push) - predicted.push) / allowed;
 }
 
 void PadElement::move_to_accepted(double t, const Pose<double>& X_PO, double allowed_error) {
@@ -268,7 +268,7 @@ void PadElement::update_memory(double seconds) {
   if (kept_.contact.force <= 0) kept_.memory = {};
   // Find the elastic push whose relaxation gives the pad's push.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
-  const Vector6 push = six_of(kept_.contact.push);
+  const Vector6 push = wrench_vector(kept_.contact.push);
   for (Eigen::Index k = 0; k < 6 && kept_.contact.force > 0; ++k) {
     ExponentialMemory& memory = kept_.memory[k];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);

@@ -355,7 +355,7 @@ void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& bui
       if (carrier < 0 || built.owner[carrier] != human.name) continue;
       // Exclude contacts with all earlier links on the same carrier.
       for (const auto& [other, link] : roots)
-        if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));
+        if (other == carrier) built.scene.excluded_pairs.emplace_back(link, static_cast<int>(i));
       roots.emplace_back(carrier, static_cast<int>(i));
     }
   }

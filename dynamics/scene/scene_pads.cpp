@@ -77,7 +77,7 @@ void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace&
   scene.elements.push_back(std::make_shared<PadElement>(
       fmt::format("pad of {} on {}", pad.on, other.name), a, place.X_BP, b,
       moving_pad(pad, place.scale, object), PadElementOptions{pad.force_error}));
-  scene.apart.emplace_back(std::minmax(a, b));
+  scene.excluded_pairs.emplace_back(std::minmax(a, b));
   ++built.pads;
 }
 

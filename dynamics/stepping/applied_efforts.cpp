@@ -38,12 +38,12 @@ bool AppliedEfforts::compute(SceneMotion& motion, const SceneState& state, Eleme
   damping.setZero();
   add_springs(state);
   for (const SceneDrive& drive : scene_.drives)
-    if (drive.when.holds(selection_time_)) add_drive(drive, state);
+    if (drive.when.contains(selection_time_)) add_drive(drive, state);
   // Set the loads of active forces.
   TreeMotion<double>& links = motion.links();
   if (!scene_.forces.empty()) links.clear_loads();
   for (const SceneForce& force : scene_.forces) {
-    if (!force.when.holds(selection_time_)) continue;
+    if (!force.when.contains(selection_time_)) continue;
     links.add_load(links.link_of(force.body), links.pose(force.body) * force.point, force.force,
                    force.moment);
   }

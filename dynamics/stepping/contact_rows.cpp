@@ -44,7 +44,7 @@ void ContactRows::assemble(const std::vector<ActiveContact>& list, double h,
   problem.blocks.clear();
   for (const ActiveContact& contact : list) {
     problem.blocks.push_back(make_block(contact, h));
-    rows += rows_of(problem.blocks.back().law);
+    rows += row_count(problem.blocks.back().law);
   }
   Jt.setZero(model_.layout.v, rows);
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
@@ -107,7 +107,7 @@ void ContactRows::apply_restitution(std::vector<ActiveContact>& list) {
 void ContactRows::add_midpoint_terms(const Eigen::VectorXd& v, double h, double recovery,
                                      std::vector<ActiveContact>& list) {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& block, int at) {
-    add_contact_terms(v, h, recovery, at, rows_of(block.law), contact);
+    add_contact_terms(v, h, recovery, at, row_count(block.law), contact);
   });
 }
 

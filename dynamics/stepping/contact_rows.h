@@ -54,7 +54,7 @@ class ContactRows {
     int at = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
       call(list[k], problem.blocks[k], at);
-      at += rows_of(problem.blocks[k].law);
+      at += row_count(problem.blocks[k].law);
     }
   }
   [[nodiscard]] ContactBlock make_block(const ActiveContact& contact, double h) const;

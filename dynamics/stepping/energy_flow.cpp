@@ -41,7 +41,7 @@ AppliedPowers applied_powers(const MovingScene& scene, const MechanismLayout& la
   AppliedPowers out;
   if (!scene.forces.empty()) out.applied = power_of_loads(motion);
   for (const SceneDrive& drive : scene.drives)
-    if (drive.when.holds(at.selection_time)) out.applied += power_of_drive(drive, layout, at);
+    if (drive.when.contains(at.selection_time)) out.applied += power_of_drive(drive, layout, at);
   // Sum joint dampers, evaluated at the velocity that the step uses, times the mean speed.
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = scene.mechanism.joints[i];

@@ -59,7 +59,7 @@ std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
       if (!scene.mechanism.bodies[i].solid || !scene.mechanism.bodies[j].solid) continue;
       const int a = static_cast<int>(i), b = static_cast<int>(j);
       if (model.bodies[i].link != model.bodies[j].link &&
-          !has_pair(connected, group[i], group[j]) && !has_pair(scene.apart, a, b))
+          !has_pair(connected, group[i], group[j]) && !has_pair(scene.excluded_pairs, a, b))
         pairs.emplace_back(a, b);
     }
   return pairs;

@@ -97,7 +97,7 @@ double SceneStepper::effort(int coordinate, const SceneInstant& instant) const {
   const SceneState& state = instant.state;
   double sum = 0;
   for (const SceneDrive& drive : scene().drives)
-    if (drive.coordinate == coordinate && drive.when.holds(state.t))
+    if (drive.coordinate == coordinate && drive.when.contains(state.t))
       sum += drive_effort(drive, state.q[layout.coordinate_q[c]], state.v[layout.coordinate_v[c]],
                           state.t, state.t);
   return sum;

@@ -17,7 +17,7 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   // Compute the wrench at the kept pose.
   const Pose<double> from = object_pose();
   const PadContact at = move(from, 0);
-  const Eigen::Matrix<double, 6, 1> before = six_of(at.push);
+  const Eigen::Matrix<double, 6, 1> before = wrench_vector(at.push);
   Matrix6 out = Matrix6::Zero();
   if (at.status != Status::kSolved) return out;
   // Take a difference onward in each direction, or backward where the step fails.
@@ -29,7 +29,8 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
       motion = -motion;
       after = move(moved_by(from, motion), 0);
     }
-    if (after.status == Status::kSolved) out.col(k) = (six_of(after.push) - before) / motion[k];
+    if (after.status == Status::kSolved)
+      out.col(k) = (wrench_vector(after.push) - before) / motion[k];
   }
   return out;
 }

@@ -82,7 +82,7 @@ class MovingPad {
 [[nodiscard]] PadContact behind_object();
 
 /// Returns a wrench as six numbers, the moment first [N m], [N] (6).
-[[nodiscard]] inline Eigen::Matrix<double, 6, 1> six_of(const Wrench& w) {
+[[nodiscard]] inline Eigen::Matrix<double, 6, 1> wrench_vector(const Wrench& w) {
   Eigen::Matrix<double, 6, 1> out;
   out << w.moment, w.force;
   return out;

@@ -73,7 +73,7 @@ MovingScene cube_on_pad(const std::shared_ptr<const MovingPad>& pad, double gap,
       scene, "cube", primitive(ShapeKind::kBox, {2 * kHalf, 2 * kHalf, 2 * kHalf}), kMass,
       JointKind::kSlide, {0, 0, 1}, {0, 0, 0});
   scene.q[0] = PadShape().height + kHalf + gap;
-  scene.apart.emplace_back(base, cube);
+  scene.excluded_pairs.emplace_back(base, cube);
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", base, Pose<double>{}, cube, pad, options));
   return scene;
@@ -196,14 +196,14 @@ TEST(PadElement, TwoPadsHoldACubeByFrictionWithoutCreep) {
       X_BP.p = Vector3d(side * (away - 5e-5), 0, 0);
       const auto pad = fine ? elements(0.8) : soft_finger(0.8, kDamps);
       scene.elements.push_back(std::make_shared<PadElement>("pad", finger, X_BP, cube, pad));
-      scene.apart.emplace_back(std::min(finger, cube), std::max(finger, cube));
+      scene.excluded_pairs.emplace_back(std::min(finger, cube), std::max(finger, cube));
       SceneDrive drive;
       drive.coordinate = finger;
       drive.bias = 1;
       drive.damping = 10;
       scene.drives.push_back(drive);
     }
-    scene.apart.emplace_back(left, right);
+    scene.excluded_pairs.emplace_back(left, right);
     SceneOptions options = for_seconds(1);
     options.tolerance = 1e-6;
     options.sample = 0.05;
@@ -246,7 +246,7 @@ SceneRun pulled_under_pad(double pull, double weight, double friction, double st
   X_BP.p = {0, 0, kHalf + PadShape().height};
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", finger, X_BP, cube, pad, PadElementOptions{0.01, 0.02}));
-  scene.apart.emplace_back(cube, finger);
+  scene.excluded_pairs.emplace_back(cube, finger);
   SceneDrive press, drag;
   press.coordinate = 1;
   press.bias = weight;
@@ -294,7 +294,7 @@ TEST(PadElement, KeepsMomentumAndSpin) {
   X_BP.p = {1e-3, 0, 5e-3};
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", finger, X_BP, cube, soft_finger(0.6, kTerms)));
-  scene.apart.emplace_back(finger, cube);
+  scene.excluded_pairs.emplace_back(finger, cube);
   set_free_velocity(scene.mechanism, cube, scene.q, {0.02, 0, -0.1}, {0, 0, 3}, scene.v);
   const SceneRun run = simulate_scene(scene, for_seconds(0.1));
   ASSERT_EQ(run.status, SceneStatus::kDone);

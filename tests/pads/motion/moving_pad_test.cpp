@@ -125,9 +125,9 @@ TEST_P(MovingPadOf, StiffnessIsTheSlopeOfThePush) {
   // Smaller for elements, whose forces are balanced to a millionth of a newton.
   Vector6 motion;
   motion << 1e-3, -2e-3, 3e-3, 4e-6, -5e-6, -6e-6;
-  const Vector6 before = six_of(pad->move(pressed, 0).push);
-  const Vector6 up = six_of(pad->move(moved_by(pressed, motion), 0).push) - before,
-                down = six_of(pad->move(moved_by(pressed, -motion), 0).push) - before;
+  const Vector6 before = wrench_vector(pad->move(pressed, 0).push);
+  const Vector6 up = wrench_vector(pad->move(moved_by(pressed, motion), 0).push) - before,
+                down = wrench_vector(pad->move(moved_by(pressed, -motion), 0).push) - before;
   const Vector6 slope = 0.5 * (up - down), seen = K * motion;
   EXPECT_LT((slope - seen).tail<3>().norm(), 0.005 * slope.tail<3>().norm())
       << "forces " << slope.tail<3>().transpose() << " by K " << seen.tail<3>().transpose();
@@ -238,7 +238,7 @@ TEST(ReducedPads, GiveNoWorkInACycle) {
           return moved_by(plane_at(-depth), motion);
         };
         Pose<double> last = pose(deep, 0);
-        Vector6 push = six_of(go(*pad, last, 0).push);
+        Vector6 push = wrench_vector(go(*pad, last, 0).push);
         double given = 0, moved = 0;
         for (int cycle = 0; cycle < 3; ++cycle)
           for (std::size_t k = 0; k < 4; ++k) {
@@ -248,7 +248,8 @@ TEST(ReducedPads, GiveNoWorkInACycle) {
             for (int i = 1; i <= steps; ++i) {
               const double s = i / double{steps};
               const Pose<double> X = pose(d0 + s * (d1 - d0), w0 + s * (w1 - w0));
-              const Vector6 next = six_of(go(*pad, X, 0).push), motion = motion_from(last, X);
+              const Vector6 next = wrench_vector(go(*pad, X, 0).push),
+                            motion = motion_from(last, X);
               // Along the normal the law gives back what it took.
               const double work = 0.5 * (push + next).dot(motion),
                            normal = 0.5 * (push + next)[5] * motion[5];

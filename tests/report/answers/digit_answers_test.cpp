@@ -121,7 +121,7 @@ TEST(FeasibleForceWords, MomentsAreInNewtonMetres) {
   request.load = TipLoad::kMoment;
   request.direction = Eigen::Vector3d(0, 0, 1);
   request.frame = DirectionFrame::kTip;
-  request.most_other = 5;
+  request.max_other = 5;
   const FeasibleForceResult answer = compute_feasible_force(request);
   const OrderedJson json = json_of(answer);
   for (const char* key : {"moment_Nm", "component_Nm", "force_N", "most_forces_N"})
