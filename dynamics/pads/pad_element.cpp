@@ -132,7 +132,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   // Solve the pad at the end of the motion, from its kept state.
   trial_.t = t;
   trial_.X_PO = X_PO;
-  trial_.contact = pad_->move(X_PO, t - kept_.t);
+  trial_.contact = pad_->try_step(X_PO, t - kept_.t);
   if (trial_.contact.status != Status::kSolved) {
     trial_.error = kUnsolvedDoubt;
     return;
@@ -225,12 +225,12 @@ void PadElement::restart_pad(double t, const Pose<double>& X_PO) {
   for (int i = 0; i <= kRestartSteps; ++i) {
     Pose<double> X = X_PO;
     X.p -= kRestartDistance * (1 - static_cast<double>(i) / kRestartSteps) * kept_.contact.normal;
-    contact = fresh->move(X, 0);
+    contact = fresh->try_step(X, 0);
     if (contact.status != Status::kSolved) {
       failure_.retry_time = t + kRetryInterval;
       return;
     }
-    fresh->keep();
+    fresh->accept_step();
   }
   failure_.restarted = kept_.contact.force > 0;  // without contact no history is lost
   // Replace the old pad, and clear its memory.
@@ -249,7 +249,7 @@ void PadElement::keep_trial(bool new_stiffness) {
   // Keep the trial as the state of the pad.
   const double seconds = trial_.t - kept_.t;
   const Vector6 motion = motion_from(kept_.X_PO, trial_.X_PO);
-  pad_->keep();
+  pad_->accept_step();
   kept_.t = trial_.t;
   kept_.X_PO = trial_.X_PO;
   trial_.t = -1;

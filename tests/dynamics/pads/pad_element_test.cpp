@@ -96,7 +96,7 @@ double depth_at(double force) {
   for (int i = 0; i < 60; ++i) {
     const double mean = 0.5 * (low + high);
     const Pose<double> X{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + kHalf - mean}};
-    (pad->move(X, 0).force < force ? low : high) = mean;
+    (pad->try_step(X, 0).force < force ? low : high) = mean;
   }
   return low;
 }
@@ -338,17 +338,17 @@ class LostPad final : public MovingPad {
     return out;
   }
   [[nodiscard]] std::string rung() const override { return pad_->rung(); }
-  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override {
+  [[nodiscard]] PadContact try_step(const Pose<double>& X_PO, double seconds) override {
     moved_ = kept_ + seconds;
     // The element and the scene's own have one each: the third is the first that begins anew.
-    if (number_ >= good_ || (number_ < 3 && moved_ < age_)) return pad_->move(X_PO, seconds);
+    if (number_ >= good_ || (number_ < 3 && moved_ < age_)) return pad_->try_step(X_PO, seconds);
     PadContact out;
     out.status = Status::kStalled;
     return out;
   }
-  void keep() override {
+  void accept_step() override {
     kept_ = moved_;
-    pad_->keep();
+    pad_->accept_step();
   }
   [[nodiscard]] double energy() const override { return pad_->energy(); }
   [[nodiscard]] double reach() const override { return pad_->reach(); }
@@ -624,7 +624,7 @@ std::vector<double> stiffly_integrated(double gap, const std::vector<double>& ti
   const auto elastic = soft_finger(0)->clone();
   const auto force = [&](double depth) {
     const Pose<double> X{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + kHalf - depth}};
-    return elastic->move(X, 0).force;
+    return elastic->try_step(X, 0).force;
   };
   double left = 1;
   for (const ExponentialTerm& term : kTerms) left -= term.share;
