@@ -139,7 +139,7 @@ void run(const std::string& path) {
     OrderedJson row{{"name", variant.name},
                     {"status", name_of(run.status)},
                     {"unsolved", run.cost.unsolved},
-                    {"deepest_m", run.cost.deepest},
+                    {"deepest_m", run.cost.max_penetration},
                     {"cpu_s", run.cost.cpu_seconds}};
     for (const sample::ThumbOnMugState& state : states)
       row["states"].push_back(json_of_state(state));

@@ -521,7 +521,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
   file.add(group + "steps", static_cast<double>(cost.steps), "1");
   file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
   if (has_contact_problems(scene)) file.add(group + "worst_residual", cost.worst_residual, "1");
-  file.add(group + "deepest", cost.deepest, "m");
+  file.add(group + "deepest", cost.max_penetration, "m");
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");
   add_account(scene, group, file);

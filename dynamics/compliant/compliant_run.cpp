@@ -64,7 +64,7 @@ class CompliantLoop {
       ++run_.cost.steps;
       update_depth();
       update_limit_excess(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
-                          run_.cost.beyond);
+                          run_.cost.limit_excess);
       const double t = motion_.state().t;
       if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) add_sample();
     }
@@ -73,7 +73,7 @@ class CompliantLoop {
   void update_depth() {
     contacts_ = motion_.contacts(stored_energy_);
     for (const ContactSample& contact : contacts_)
-      run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+      run_.cost.max_penetration = std::max(run_.cost.max_penetration, -contact.gap);
   }
 
   void add_sample() {

@@ -96,11 +96,11 @@ void EventStepper::skip_chattering(double stop) {
   for (int i = 0; i < kBurstSteps && is_finite(state_); ++i)
     part = fixed_.take_step(step_, h, options_, state_, last, cost_);
   state_.t = end;
-  ++cost_.passed;
+  ++cost_.chatter_bursts;
   touching_.set_closed(last, part);
   if (!is_finite(state_)) return;
   // Record joint limits, then update contacts at the end and resolve their impacts.
-  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.limit_excess);
   step_.accept_step(state_);
   step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
   touching_.update_with_impacts(state_, trials_.end_contacts());
@@ -109,7 +109,7 @@ void EventStepper::skip_chattering(double stop) {
 /// Passes time at rest, to the next switching time at most.
 void EventStepper::skip_rest(double stop) {
   const double end = next_stop(stop);
-  cost_.asleep += end - state_.t;
+  cost_.rest_time += end - state_.t;
   state_.t = end;
   step_.accept_step(state_);
   wake_at_switches();
@@ -120,7 +120,7 @@ void EventStepper::skip_rest(double stop) {
 double EventStepper::take_adaptive_step(double wanted, double left, double stop) {
   double length = control_.first_trial_length(state_.t, wanted);
   if (!find_accepted_length(length)) return 0;
-  if (trials_.result().error > 1) ++cost_.coarse;
+  if (trials_.result().error > 1) ++cost_.inaccurate_steps;
   // Accept the trial with its contacts at the end, then propose the next length.
   trials_.find_end_contacts();
   was_solved_ = counts_.unsolved() == 0;
@@ -195,7 +195,7 @@ void EventStepper::accept_trial(double length, double end) {
   touching_.set_closed(trial.active, trial.h);
   counts_.accept();
   ++cost_.steps;
-  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.limit_excess);
   // Correct gaps and resolve impacts at the end.
   const std::vector<ActiveContact>& closed = touching_.closed();
   const bool slides =

@@ -96,17 +96,17 @@ struct SceneCost {
   long rejected = 0;          // trial steps rejected for their error or an event
   long substeps = 0;          // contact problems solved and accelerations evaluated
   long impacts = 0;           // instants at which impacts were resolved
-  long passed = 0;            // bursts of fixed steps through chattering contacts
+  long chatter_bursts = 0;    // bursts of fixed steps through chattering contacts
   long unsolved = 0;          // contact problems that missed the tolerance
-  long leaps = 0;             // fixed steps, divided into the shortest parts, in which surfaces may
+  long tunnelling_steps = 0;  // fixed steps, divided into the shortest parts, in which surfaces may
                               // still have passed through each other
-  long coarse = 0;            // shortest steps whose error exceeded the tolerance
+  long inaccurate_steps = 0;  // shortest steps whose error exceeded the tolerance
   double worst_residual = 0;  // largest ContactResidual::natural of any step [1]
-  double deepest = 0;         // largest penetration at the end of any step but the first [m]
-  Eigen::VectorXd beyond{};   // largest excess over a limit at the end of any step [rad] or [m]
-                              // (joints); empty: not recorded
-  double asleep = 0;          // simulated time at rest [s]
-  double cpu_seconds = 0;     // processor time of the calling thread [s]
+  double max_penetration = 0;      // largest penetration at the end of any step but the first [m]
+  Eigen::VectorXd limit_excess{};  // largest excess over a limit at the end of any step [rad] or
+                                   // [m] (joints); empty: not recorded
+  double rest_time = 0;    // simulated time at rest [s]
+  double cpu_seconds = 0;  // processor time of the calling thread [s]
 };
 
 /// Result of a simulation.

@@ -68,10 +68,10 @@ bool SceneStepper::step_to(double end, const Progress& progress) {
   now_.state.t = end;
   if (is_finite(now_.state)) step_.accept_step(now_.state);
   ++cost_.steps;
-  update_limit_excess(scene().mechanism, model().layout, now_.state.q, cost_.beyond);
+  update_limit_excess(scene().mechanism, model().layout, now_.state.q, cost_.limit_excess);
   for (const ActiveContact& contact : now_.active)
     if (!is_first && contact.kind == ActiveContact::Kind::kContact)
-      cost_.deepest = std::max(cost_.deepest, -contact.gap);
+      cost_.max_penetration = std::max(cost_.max_penetration, -contact.gap);
   return true;
 }
 

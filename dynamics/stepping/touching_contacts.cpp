@@ -108,7 +108,7 @@ double TouchingContacts::close_gaps_and_update(double length, SceneState& state,
   update_with_impacts(state, found);
   for (const ActiveContact& contact : closed_)
     if (contact.kind == ActiveContact::Kind::kContact)
-      cost_.deepest = std::max(cost_.deepest, -contact.gap);
+      cost_.max_penetration = std::max(cost_.max_penetration, -contact.gap);
   return max_gap;
 }
 

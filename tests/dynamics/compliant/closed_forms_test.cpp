@@ -48,7 +48,7 @@ TEST_P(CompliantPrograms, BallRestsAtTheDepthOfHertz) {
   EXPECT_NEAR(contact.force.z(), -weight, 1e-5 * weight);
   EXPECT_NEAR(contact.point.z(), -0.5 * depth, 1e-9);
   EXPECT_NEAR(end.energy.springs, 0.4 * weight * depth, 1e-5 * weight * depth);
-  EXPECT_GT(run.cost.deepest, depth);
+  EXPECT_GT(run.cost.max_penetration, depth);
 }
 
 // Of m d'' = -F(d) (1 + a d'), a = 1.5 c, the speeds before and after obey  G(v) = G(-e v)  with

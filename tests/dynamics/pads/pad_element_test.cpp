@@ -122,7 +122,7 @@ TEST(PadElement, RestsWithoutMovingThePadAgain) {
   const MovingScene scene = damped(cube_on_pad(soft_finger(0.5), 1e-4));
   const SceneRun run = simulate_scene(scene, for_seconds(3));
   ASSERT_EQ(run.status, SceneStatus::kDone);
-  EXPECT_GT(run.cost.asleep, 1);
+  EXPECT_GT(run.cost.rest_time, 1);
 }
 
 /// The height that a cube comes back to, over that from which it fell, by the largest of samples
@@ -436,7 +436,7 @@ TEST(PadElement, FollowsAPushAfterASleep) {
   scene.drives = {push};
   const SceneRun run = simulate_scene(scene, for_seconds(3));
   ASSERT_EQ(run.status, SceneStatus::kDone);
-  ASSERT_GT(run.cost.asleep, 0.5);
+  ASSERT_GT(run.cost.rest_time, 0.5);
   const auto& at_rest = run.samples[199].contacts;
   ASSERT_EQ(at_rest.size(), 1U);
   EXPECT_NEAR(at_rest[0].force.z(), -kMass * kG, 1e-3 * kMass * kG);

@@ -19,7 +19,7 @@ SceneRun run_for(const MovingScene& scene, double seconds) {
   SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   EXPECT_LT(run.cost.worst_residual, 1e-11);
-  EXPECT_LT(run.cost.deepest, 2e-9);
+  EXPECT_LT(run.cost.max_penetration, 2e-9);
   return run;
 }
 

@@ -63,9 +63,9 @@ TEST(LimitExcess, IsToldOfFixedSteps) {
     ASSERT_TRUE(stepper.step());
     farthest = std::max(farthest, stepper.now().state.q[0] - 0.05);
   }
-  EXPECT_DOUBLE_EQ(stepper.cost().beyond[0], std::max(farthest, 0.0));
-  EXPECT_GT(stepper.cost().beyond[0], 0);
-  EXPECT_EQ(stepper.cost().beyond[1], 0);
+  EXPECT_DOUBLE_EQ(stepper.cost().limit_excess[0], std::max(farthest, 0.0));
+  EXPECT_GT(stepper.cost().limit_excess[0], 0);
+  EXPECT_EQ(stepper.cost().limit_excess[1], 0);
 }
 
 }  // namespace

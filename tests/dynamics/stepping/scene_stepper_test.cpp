@@ -250,8 +250,8 @@ TEST(SceneStepper, CountsStepsThatPassThroughSomething) {
     SceneStepper stepper(shot(120, 0), in_parts(parts));
     stepper.step();
     EXPECT_EQ(stepper.now().state.q[4] > 0.05, parts == 1);
-    EXPECT_EQ(stepper.take_cost().leaps, parts == 1 ? 1 : 0);
-    EXPECT_EQ(stepper.cost().leaps, 0);
+    EXPECT_EQ(stepper.take_cost().tunnelling_steps, parts == 1 ? 1 : 0);
+    EXPECT_EQ(stepper.cost().tunnelling_steps, 0);
   }
 }
 
@@ -262,7 +262,7 @@ TEST(SceneStepper, CountsStepsThatMayHavePassedSomething) {
     SceneStepper stepper(shot(40, 0.13), in_parts(parts));
     stepper.step();
     EXPECT_NEAR(stepper.now().state.q[4], 0.04, 1e-12);
-    EXPECT_EQ(stepper.cost().leaps, parts == 16 ? 1 : 0);
+    EXPECT_EQ(stepper.cost().tunnelling_steps, parts == 16 ? 1 : 0);
   }
 }
 

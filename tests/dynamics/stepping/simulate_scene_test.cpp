@@ -77,7 +77,7 @@ TEST(SimulateScene, SlidingBodyStopsWithinAFewTrials) {
   ASSERT_EQ(run.status, SceneStatus::kDone);
   EXPECT_NEAR(centre(scene, cube, run.samples.back()).x(), 0.25 / (2 * 0.3 * kG), 1e-9);
   EXPECT_LE(run.cost.rejected, 5);
-  EXPECT_EQ(run.cost.coarse, 0);
+  EXPECT_EQ(run.cost.inaccurate_steps, 0);
 }
 
 // Until such a body stops, a step ends at each instant that is kept; the stop itself costs no more
@@ -128,7 +128,7 @@ TEST(SimulateScene, PinchHoldsWithoutSlip) {
     const SceneRun run = simulate_scene(world.scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12);
-    EXPECT_EQ(run.cost.asleep > 9, sleep);
+    EXPECT_EQ(run.cost.rest_time > 9, sleep);
   }
 }
 

@@ -110,9 +110,9 @@ TEST(SceneStability, ThrownBoxesLoseEnergyAndRest) {
     const SceneRun run = simulate_scene(scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(rise(run), 0.1 * kG * options.touch);  // to close a gap may lift it by so much
-    EXPECT_LT(run.cost.deepest, 1e-8);
+    EXPECT_LT(run.cost.max_penetration, 1e-8);
     EXPECT_EQ(run.samples.back().v.norm(), 0);
-    EXPECT_GT(run.cost.asleep, 0.5);
+    EXPECT_GT(run.cost.rest_time, 0.5);
   }
 }
 
@@ -190,7 +190,7 @@ TEST(SceneStability, RodJams) {
         const SceneRun run = simulate_scene(scene, {});
         EXPECT_EQ(run.status, SceneStatus::kDone);
         EXPECT_LT(rise(run), 1e-9);
-        EXPECT_LT(run.cost.deepest, 1e-8);
+        EXPECT_LT(run.cost.max_penetration, 1e-8);
         // With mu = 0.3 the tip slides on; pushed ahead with mu = 3 it stops within 10 ms.
         const auto tip_speed = [&](const SceneSample& at) {
           const Eigen::Quaterniond turn(at.q[0], at.q[1], at.q[2], at.q[3]);
@@ -340,10 +340,10 @@ TEST(SceneStability, StepsThatMissTheToleranceAreCounted) {
   options.seconds = 2e-6;
   options.tolerance = 1e-200;
   const SceneRun run = simulate_scene(world.scene, options);
-  EXPECT_GT(run.cost.coarse, 0);
+  EXPECT_GT(run.cost.inaccurate_steps, 0);
   EXPECT_DOUBLE_EQ(run.samples.back().t, 2e-6);
   options.tolerance = 1e-9;
-  EXPECT_EQ(simulate_scene(world.scene, options).cost.coarse, 0);
+  EXPECT_EQ(simulate_scene(world.scene, options).cost.inaccurate_steps, 0);
 }
 
 }  // namespace
