@@ -133,7 +133,7 @@ void run(const std::string& path) {
     Options options;
     variant.change(options);
     sample::ThumbOnMug made = sample::thumb_on_mug(options);
-    made.options.sample = made.options.seconds / kSamples;
+    made.options.sample_interval = made.options.duration / kSamples;
     const SceneRun run = simulate_scene(made.scene, made.options);
     const std::vector<sample::ThumbOnMugState> states = states_of(made, run);
     OrderedJson row{{"name", variant.name},

@@ -241,13 +241,13 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   // Method, duration and tolerance.
   if (!request.method.empty())
     options.method = value_in(kSteppingMethodNames, request.method, "method");
-  options.seconds = request.seconds.value_or(options.seconds);
-  options.sample = request.sample.value_or(options.sample);
-  options.step = request.step.value_or(options.step);
+  options.duration = request.seconds.value_or(options.duration);
+  options.sample_interval = request.sample.value_or(options.sample_interval);
+  options.step_length = request.step.value_or(options.step_length);
   options.tolerance = request.tolerance.value_or(options.tolerance);
-  require(options.seconds / options.sample <= kMostSamples,
+  require(options.duration / options.sample_interval <= kMostSamples,
           "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMostSamples,
-          options.seconds, options.sample);
+          options.duration, options.sample_interval);
   return read;
 }
 

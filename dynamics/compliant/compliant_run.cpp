@@ -21,8 +21,8 @@ class CompliantLoop {
   CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
       : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
     // A time span ends where a force or drive starts or stops to act.
-    erase_where(stops_, [&](double t) { return t <= 0 || t >= options.seconds; });
-    stops_.push_back(options.seconds);
+    erase_where(stops_, [&](double t) { return t <= 0 || t >= options.duration; });
+    stops_.push_back(options.duration);
   }
 
   SceneRun run(const Progress& progress) {
@@ -47,13 +47,13 @@ class CompliantLoop {
   /// Runs to the end of a time span in which the same forces and drives act [s].
   void run_span(double end, const Progress& progress) {
     while (end - motion_.state().t > kSameInstant) {
-      progress(motion_.state().t / options_.seconds, "");
+      progress(motion_.state().t / options_.duration, "");
       if (progress.stop()) {
         run_.status = SceneStatus::kStopped;
         return;
       }
       // Step at most to the next sample or to the end of the span.
-      const double next = options_.sample * static_cast<double>(next_sample_);
+      const double next = options_.sample_interval * static_cast<double>(next_sample_);
       CompliantStep step = motion_.step(std::min(end, next));
       if (step.status != SceneStatus::kDone) {
         run_.status = step.status;
@@ -66,7 +66,7 @@ class CompliantLoop {
       update_limit_excess(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
                           run_.cost.limit_excess);
       const double t = motion_.state().t;
-      if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) add_sample();
+      if (t >= next - kSameInstant || t >= options_.duration - kSameInstant) add_sample();
     }
   }
 
@@ -80,7 +80,7 @@ class CompliantLoop {
     const SceneState& state = motion_.state();
     run_.samples.push_back({state.t, state.q, state.v, {}, contacts_, energy_.energy(state), {}});
     run_.samples.back().energy.springs += stored_energy_;
-    next_sample_ = std::lround(state.t / options_.sample) + 1;
+    next_sample_ = std::lround(state.t / options_.sample_interval) + 1;
   }
 
   CompliantMotion& motion_;

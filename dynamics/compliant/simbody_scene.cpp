@@ -336,7 +336,7 @@ class SimbodyMotion : public CompliantMotion {
  public:
   SimbodyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
-        limiter_(options.longest),
+        limiter_(options.max_step),
         step_(scene),
         world_(scene, options_.compliance, step_.model()) {
     state_.q = scene.q;
@@ -356,10 +356,10 @@ class SimbodyMotion : public CompliantMotion {
     integrator_ =
         std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
     integrator_->setAccuracy(options_.tolerance);
-    integrator_->setMaximumStepSize(options_.longest);
+    integrator_->setMaximumStepSize(options_.max_step);
     integrator_->setReturnEveryInternalStep(true);
     integrator_->setInternalStepLimit(1000);
-    limiter_.set_length(options_.longest);
+    limiter_.set_length(options_.max_step);
     has_begun_ = false;
   }
 
@@ -416,7 +416,7 @@ class SimbodyMotion : public CompliantMotion {
             fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
                         "thickness within a step: they may have passed each other; the longest "
                         "step of {:g} s is too long",
-                        before.t, motion, options_.longest)};
+                        before.t, motion, options_.max_step)};
   }
 
   SceneOptions options_;

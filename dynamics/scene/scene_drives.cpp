@@ -90,10 +90,10 @@ void set_stepping(const SceneSpec& spec, BuiltScene& built) {
     return value_in(kSteppingMethodNames, stepping.method, "method");
   });
   // Step lengths, samples and tolerances.
-  options.seconds = stepping.duration;
-  options.sample = stepping.sample;
-  options.step = stepping.step.value_or(options.step);
-  options.longest = stepping.longest.value_or(options.longest);
+  options.duration = stepping.duration;
+  options.sample_interval = stepping.sample;
+  options.step_length = stepping.step.value_or(options.step_length);
+  options.max_step = stepping.longest.value_or(options.max_step);
   options.tolerance = stepping.tolerance.value_or(options.tolerance);
   options.recovery = stepping.recovery.value_or(options.recovery);
   set_compliance(spec, built.options.compliance);

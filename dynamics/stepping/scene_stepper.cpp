@@ -16,7 +16,7 @@ constexpr double kSameInstant = 1e-6;  // difference of equal instants over the 
 }  // namespace
 
 long fixed_steps(const SceneOptions& options) {
-  return std::max(1L, std::lround(options.seconds / options.step));
+  return std::max(1L, std::lround(options.duration / options.step_length));
 }
 
 SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options)
@@ -26,7 +26,7 @@ SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options
       switching_times_(switching_times(scene)) {
   check_scene_options(options);
   step_.set_solver_options(options.contacts);
-  length_ = options.seconds / static_cast<double>(fixed_steps(options));
+  length_ = options.duration / static_cast<double>(fixed_steps(options));
   now_.state = step_.initial_state();
 }
 

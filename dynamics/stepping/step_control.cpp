@@ -7,7 +7,7 @@ namespace thenar {
 namespace {
 
 // Ratios of step lengths [1].
-constexpr double kQuietFactor = 5;      // longest step of a quiet scene over SceneOptions::longest
+constexpr double kQuietFactor = 5;      // longest step of a quiet scene over SceneOptions::max_step
 constexpr double kChangeMargin = 0.97;  // step before a mode change over the time to the change
 constexpr double kAfterChangeRatio = 0.5;   // shortest step after a mode change over the usual one
 constexpr double kModeChangeGrowth = 1.5;   // step after one that contains a mode change over it
@@ -22,7 +22,7 @@ constexpr double kMinError = 1e-9;  // smaller errors do not lengthen the next s
 }  // namespace
 
 void StepControl::set_max_length(bool is_quiet) {
-  max_length_ = (is_quiet ? kQuietFactor : 1) * options_.longest;
+  max_length_ = (is_quiet ? kQuietFactor : 1) * options_.max_step;
 }
 
 double StepControl::first_trial_length(double t, double wanted) {
@@ -30,7 +30,7 @@ double StepControl::first_trial_length(double t, double wanted) {
   double length = wanted;
   // End just before the mode change that a rejected trial of the previous step predicted.
   const double ahead = kChangeMargin * (expected_change_ - t);
-  if (ahead > options_.shortest && ahead < length) {
+  if (ahead > options_.min_step && ahead < length) {
     is_shortened_for_change_ = ends_before_change_ = true;
     length = ahead;
   }
@@ -40,7 +40,7 @@ double StepControl::first_trial_length(double t, double wanted) {
 
 double StepControl::cap_at_longest() {
   rejected_ = true;
-  return options_.longest;
+  return options_.max_step;
 }
 
 void StepControl::record_rejection() {
@@ -52,13 +52,13 @@ double StepControl::shorten_for_elements(double step_error, double length) {
   record_rejection();
   // The error of elements is quadratic in the step length.
   return std::max(length * std::clamp(kSafety / std::sqrt(step_error), 0.2, 0.8),
-                  options_.shortest);
+                  options_.min_step);
 }
 
 double StepControl::shorten_after_rejection(StepTrials& trials, double t, double length) {
   const StepTrial& trial = trials.result();
   record_rejection();
-  if (trial.closing_time >= 0 && trial.closing_time > options_.shortest) {
+  if (trial.closing_time >= 0 && trial.closing_time > options_.min_step) {
     // End at the instant at which the gap closes.
     length = std::min(trial.closing_time, kClosingRatio * length);
   } else if (trials.verdict() == Extrapolation::Verdict::kReject) {
@@ -75,7 +75,7 @@ double StepControl::shorten_after_rejection(StepTrials& trials, double t, double
     if (trial.change_time >= 0 && !ends_before_change_) expected_change_ = t + trial.change_time;
     length = ends_before_change_ ? kChangeMargin * trial.change_time : 0.5 * length;
   }
-  return std::max(length, options_.shortest);
+  return std::max(length, options_.min_step);
 }
 
 double StepControl::next_step_length(StepTrials& trials, double length) {

@@ -79,15 +79,15 @@ void TouchingContacts::settle_modes(const SceneState& state) {
   // Scale impulses to the shortest step.
   SceneState next = state;
   step_.select_active_forces(next.t);
-  const double factor = impulse_time_ > 0 ? options_.shortest / impulse_time_ : 0;
+  const double factor = impulse_time_ > 0 ? options_.min_step / impulse_time_ : 0;
   scale_impulses(closed_, factor);
   scale_impulses(lost_, factor);
   // Take the contacts and modes of that step, and discard its state.
-  step_.take_euler_substep(next, options_.shortest, closed_, options_.touch, outcome_);
+  step_.take_euler_substep(next, options_.min_step, closed_, options_.touch, outcome_);
   counts_.count_problem(outcome_);
   counts_.accept();
   closed_.swap(outcome_.active);
-  impulse_time_ = options_.shortest;
+  impulse_time_ = options_.min_step;
 }
 
 double TouchingContacts::close_gaps_and_update(double length, SceneState& state,

@@ -57,7 +57,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
         std::max(last.error, 2 * max_reversed_slip(from.closed, last.active) / options_.tolerance);
   }
   // Check the gaps of the extrapolated positions.
-  if (last.error <= 1 || length <= options_.shortest) check_end(from, length, last);
+  if (last.error <= 1 || length <= options_.min_step) check_end(from, length, last);
 }
 
 /// Extrapolates with a further column, of n substeps. @return true if the trial ends with it,
@@ -163,7 +163,7 @@ void StepTrials::take_free_step(const Beginning& from, double length) {
 /// Checks for contacts in the middle of a free step, which may have opened again at its end. The
 /// positions are those of the cubic through both ends with their velocities.
 void StepTrials::check_middle(const Beginning& from, double length, StepTrial& trial) {
-  if (length <= options_.shortest) return;
+  if (length <= options_.min_step) return;
   // Compute the middle of the cubic: mean of the ends plus length / 8 times the velocity
   // difference.
   middle_.t = from.state.t + 0.5 * length;
@@ -189,7 +189,7 @@ void StepTrials::check_end(const Beginning& from, double length, StepTrial& tria
   if (outcome_.min_new_gap < -options_.touch) trial.closing_time = estimate_closing_time(length, 0);
   // Reject a motion in which bodies may have passed through each other.
   const double ratio = step_.tunnelling_ratio(from.state, trial.state, trial.active);
-  if (ratio > 1 && length > options_.shortest) {
+  if (ratio > 1 && length > options_.min_step) {
     trial.error = std::max(trial.error, std::pow(ratio, trial.order));
     trial.closing_time = -1;
   }

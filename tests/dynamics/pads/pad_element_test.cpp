@@ -82,7 +82,7 @@ MovingScene cube_on_pad(const std::shared_ptr<const MovingPad>& pad, double gap,
 SceneOptions for_seconds(double seconds, SteppingMethod method = SteppingMethod::kEvents) {
   SceneOptions options;
   options.method = method;
-  options.seconds = seconds;
+  options.duration = seconds;
   options.tolerance = 1e-7;
   return options;
 }
@@ -130,7 +130,7 @@ TEST(PadElement, RestsWithoutMovingThePadAgain) {
 double comes_back(double force_error) {
   const MovingScene scene = cube_on_pad(soft_finger(0), 2e-3, {force_error, 0.02});
   SceneOptions options = for_seconds(0.12);
-  options.sample = 1e-3;
+  options.sample_interval = 1e-3;
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   double deepest = 0, back = -1;
@@ -164,7 +164,7 @@ TEST(PadElement, StepsOfFixedLengthAgreeWithStepsBetweenEvents) {
   const MovingScene scene = damped(cube_on_pad(soft_finger(0.5, kTerms), 1e-4, {0.002, 0.02}));
   const SceneRun events = simulate_scene(scene, for_seconds(0.2));
   SceneOptions fixed = for_seconds(0.2, SteppingMethod::kTimeStepping);
-  fixed.step = 2e-4;
+  fixed.step_length = 2e-4;
   const SceneRun steps = simulate_scene(scene, fixed);
   ASSERT_EQ(events.samples.size(), steps.samples.size());
   for (std::size_t i = 0; i < steps.samples.size(); ++i)
@@ -206,7 +206,7 @@ TEST(PadElement, TwoPadsHoldACubeByFrictionWithoutCreep) {
     scene.excluded_pairs.emplace_back(left, right);
     SceneOptions options = for_seconds(1);
     options.tolerance = 1e-6;
-    options.sample = 0.05;
+    options.sample_interval = 0.05;
     const SceneRun run = simulate_scene(scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     const double settled = run.samples[10].q[cube], last = run.samples.back().q[cube];
@@ -555,7 +555,7 @@ TEST(PadElement, ThrowsAFastObjectBack) {
     scene.mechanism.bodies[1].mass.mass = mass;
     scene.v[0] = -5;
     SceneOptions options = for_seconds(0.06);
-    options.sample = 0.06;
+    options.sample_interval = 0.06;
     const SceneRun run = simulate_scene(scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     EXPECT_NEAR(run.samples.back().v[0], 5, 0.02 * 5);
@@ -572,7 +572,7 @@ TEST(PadElement, StoresWhatAnElasticBounceLends) {
     SCOPED_TRACE(name);
     const MovingScene scene = cube_on_pad(pad, 2e-3, {2e-3, 0.02});
     SceneOptions options = for_seconds(0.05);
-    options.sample = 1e-3;
+    options.sample_interval = 1e-3;
     const SceneRun run = simulate_scene(scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     const double start = run.samples.front().energy.total();
@@ -609,7 +609,7 @@ TEST(PadElement, StoresAtRestWhatSpringsAndDampersDo) {
 TEST(PadElement, HasNoForceOnceAnObjectHasLeft) {
   const MovingScene scene = cube_on_pad(soft_finger(0.5, kTerms), 2e-3);
   SceneOptions options = for_seconds(0.5);
-  options.sample = 1e-3;
+  options.sample_interval = 1e-3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   for (const SceneSample& at : run.samples)
@@ -660,7 +660,7 @@ TEST(PadElement, FallsAndRelaxesAsAStiffIntegratorSays) {
   std::vector<double> times, exact, worst;
   for (const double force_error : {0.02, 0.002, 0.0002}) {
     SceneOptions options = for_seconds(1);
-    options.sample = 0.02;
+    options.sample_interval = 0.02;
     const SceneRun run =
         simulate_scene(cube_on_pad(soft_finger(0, kTerms), kGap, {force_error, 0.02}), options);
     ASSERT_EQ(run.status, SceneStatus::kDone);

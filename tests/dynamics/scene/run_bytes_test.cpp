@@ -19,7 +19,7 @@ namespace {
 SceneRun run_of(const char* scene, double seconds) {
   const BuiltScene built = build_scene(read_scene(kData + "/scenes/" + scene + ".toml"), {});
   SceneOptions options = built.options;
-  options.seconds = seconds;
+  options.duration = seconds;
   return simulate_scene(built.scene, options);
 }
 

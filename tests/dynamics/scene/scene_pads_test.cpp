@@ -154,7 +154,7 @@ TEST(ScenePads, TwoHoldAFreeBox) {
         "[[body]]\nname = \"box\"\nmass_g = 30\n[[body.shape]]\nkind = \"box\"\n"
         "size_mm = [20, 20, 20]\n";
     BuiltScene built = scene_of(text);
-    built.options.sample = 1e-3;
+    built.options.sample_interval = 1e-3;
     const SceneRun run = pads_run(built);
     ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     // It swings on its pads: forces over the last 0.4 s are its weight and its change of momentum.

@@ -56,7 +56,7 @@ TEST(LimitExcess, IsToldOfFixedSteps) {
   scene.q = Eigen::Vector2d(0.045, 0);
   scene.v = Eigen::Vector2d(2, 0);
   SceneOptions options;
-  options.step = 1e-2;
+  options.step_length = 1e-2;
   SceneStepper stepper(scene, options);
   double farthest = 0;
   for (int i = 0; i < 20; ++i) {
