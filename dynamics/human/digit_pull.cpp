@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -429,7 +430,7 @@ bool DigitPull::may_start_motion(const ElementInput& at) const {
       return true;
   if (muscles_.contracting.empty()) return false;
   const PullValues& values = evaluate(at, ElementNeed::kRates);
-  return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {
+  return any_of(muscles_.contracting, [&](int m) {
     const double rate =
         activation_rate(values.excitation[m], values.state.activation[m], model_->activation).rate;
     const double fibre = muscles_.has_fibre

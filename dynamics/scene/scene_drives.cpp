@@ -1,6 +1,5 @@
 #include "dynamics/scene/scene_drives.h"
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,9 +59,8 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
       return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
     });
     // Check that the units of the drive fit the kind of its joint.
-    const auto joint =
-        std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
-                     [&](const MechanismJoint& each) { return is_moved_by(each, out.coordinate); });
+    const MechanismJoint* joint = find_where(
+        mechanism.joints, [&](const auto& each) { return is_moved_by(each, out.coordinate); });
     const bool turns = joint->kind == JointKind::kHinge;
     if (turns != drive.turns)
       throw DataError(spec.path, drive.line,

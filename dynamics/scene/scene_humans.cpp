@@ -260,9 +260,8 @@ class HandPullBuilder {
     model.indices = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
     // Excited muscles need a contraction model; errors name the first line that excites one.
     if (!model.excitations.empty()) {
-      const auto excited =
-          std::find_if(excitations_.begin(), excitations_.end(),
-                       [&](const MuscleDrive& each) { return contains(muscles, each.muscle); });
+      const MuscleDrive* excited = find_where(
+          excitations_, [&](const MuscleDrive& each) { return contains(muscles, each.muscle); });
       try {
         model.contraction =
             contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : default_rung(group));

@@ -1,8 +1,8 @@
 #include "dynamics/stepping/applied_efforts.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "dynamics/stepping/scene_contacts.h"
 
 namespace thenar {
@@ -26,8 +26,8 @@ AppliedEfforts::AppliedEfforts(const MovingScene& scene, const TreeModel& model)
 }
 
 void AppliedEfforts::update_force_kinds() {
-  has_slopes_ = !elements.empty() || !resisting_joints_.empty() ||
-                std::any_of(scene_.drives.begin(), scene_.drives.end(), resists<SceneDrive>);
+  has_slopes_ =
+      !elements.empty() || !resisting_joints_.empty() || any_of(scene_.drives, resists<SceneDrive>);
   has_flows_ = !elements.empty() || has_powers(scene_);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "dynamics/mechanism/articulated_body.h"
 #include "dynamics/stepping/applied_efforts.h"
 #include "dynamics/stepping/contact_rows.h"
@@ -389,10 +390,9 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
     std::vector<ActiveContact> pressed;
     double max_gap = 0;
     for (ActiveContact& contact : p.found) {
-      const bool has_force =
-          std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& old) {
-            return old.is_same_contact(contact) && old.mode != ContactMode::kOpen;
-          });
+      const bool has_force = any_of(touching, [&](const ActiveContact& old) {
+        return old.is_same_contact(contact) && old.mode != ContactMode::kOpen;
+      });
       if (!has_force || contact.kind == Kind::kJointFriction) continue;
       contact.friction = {};
       max_gap = std::max(max_gap, std::abs(contact.gap));

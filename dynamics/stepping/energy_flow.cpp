@@ -1,7 +1,8 @@
 #include "dynamics/stepping/energy_flow.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -31,8 +32,7 @@ double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
 
 bool has_powers(const MovingScene& scene) {
   return !scene.forces.empty() || !scene.drives.empty() ||
-         std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(),
-                     [](const MechanismJoint& joint) { return joint.damping > 0; });
+         any_of(scene.mechanism.joints, [](const auto& joint) { return joint.damping > 0; });
 }
 
 AppliedPowers applied_powers(const MovingScene& scene, const MechanismLayout& layout,

@@ -1,6 +1,6 @@
 #include "dynamics/stepping/meeting_pairs.h"
 
-#include <algorithm>
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -41,8 +41,7 @@ std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
 }
 
 bool has_pair(const std::vector<std::pair<int, int>>& pairs, int a, int b) {
-  return std::find(pairs.begin(), pairs.end(), std::pair(a, b)) != pairs.end() ||
-         std::find(pairs.begin(), pairs.end(), std::pair(b, a)) != pairs.end();
+  return contains(pairs, std::pair(a, b)) || contains(pairs, std::pair(b, a));
 }
 
 }  // namespace

@@ -52,11 +52,9 @@ void TouchingContacts::update_with_impacts(SceneState& state, std::vector<Active
   remember_lost(found);
   const bool all_known = retain_closed(found);
   // Resolve impacts if a contact approaches.
-  const bool approaches =
-      std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
-        return contact.kind != ActiveContact::Kind::kJointFriction &&
-               contact.approach < -kImpactSpeed;
-      });
+  const bool approaches = any_of(closed_, [](const ActiveContact& contact) {
+    return contact.kind != ActiveContact::Kind::kJointFriction && contact.approach < -kImpactSpeed;
+  });
   if (approaches) {
     StepOutcome outcome;
     step_.resolve_impact(state, closed_, outcome);
