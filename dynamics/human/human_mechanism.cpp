@@ -144,8 +144,7 @@ std::vector<HumanDigit> build_digits(const HumanModel& model, const Subject& sub
       model.version == HumanVersion::kTendonNet ? Hood::kFloatingNet : Hood::kFractions;
   // Build the tendons, and collect new warnings.
   HumanTendons built = human_tendons(subject, extensors, model.options);
-  for (const std::string& warning : built.warnings)
-    if (!contains(warnings, warning)) warnings.push_back(warning);
+  append_new(warnings, built.warnings);
   std::vector<std::shared_ptr<const DigitTendons>> tendons;
   for (std::unique_ptr<DigitTendons>& digit : built.hand.digits)
     tendons.emplace_back(std::move(digit));

@@ -33,8 +33,7 @@ struct MuscleDrive {
 std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   std::vector<std::string> names;
   for (const HumanDigit& digit : hand.digits)
-    for (const std::string& name : digit.tendons->digit().names.muscles)
-      if (!contains(names, name)) names.push_back(name);
+    append_new(names, digit.tendons->digit().names.muscles);
   return names;
 }
 
@@ -130,8 +129,7 @@ class HandPullBuilder {
         require(!rung_ || rung == *rung_, "all muscles of '{}' pull on one rung", human_.name);
         rung_ = rung;
       }
-      for (MuscleDrive& given : drives_of(each, spec_, names_))
-        (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
+      append_all(each.tensions ? tensions_ : excitations_, drives_of(each, spec_, names_));
     } catch (const InputError& error) {
       fail(error.what());
     }
