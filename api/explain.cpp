@@ -99,7 +99,7 @@ std::vector<QuestionCost> measure_costs(const Subject& subject, const std::strin
   add("tip wrench, rigid", "static", [&] { keep(tip_wrench(statics, t)); });
   // Feasible forces need the maximum isometric force of every muscle.
   if (statics.max_tension.allFinite()) {
-    add("largest force one way", "static, force bounds",
+    add("largest force in one direction", "static, force bounds",
         [&] { keep(max_tip_force(statics, Eigen::Vector3d::UnitX())); });
     add("all feasible forces", "static, force bounds", [&] { keep(feasible_force_set(statics)); });
   }

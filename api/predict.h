@@ -50,7 +50,7 @@ struct PredictResult {
 
 /// Predicts every experiment by a fit, and compares with the measurements.
 /// @throws DataError or InputError if the file is no fit, or an experiment does not match its
-/// digit.
+///         digit.
 [[nodiscard]] PredictResult predict_forces(const PredictRequest& request);
 
 /// Returns the parameters that predict a specimen. @param specimen  index in fitted.specimens(), or

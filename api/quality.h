@@ -60,7 +60,7 @@ void require_valid(const ContactQualityRequest& request);
 
 /// Reads contacts and computes their epsilon, volume, grasp matrix and task margin.
 /// @throws InputError as require_valid(), or if there are no such contacts; DataError if the file
-/// is wrong.
+///         is wrong.
 [[nodiscard]] ContactQualityResult measure_contacts(const ContactQualityRequest& request);
 
 }  // namespace thenar

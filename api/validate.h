@@ -13,7 +13,7 @@ namespace thenar {
 
 /// Options of a validation: files or names, and the data that they are checked against.
 struct ValidateRequest {
-  std::vector<std::string> things;  // files, or names of what comes with thenar
+  std::vector<std::string> things;  // files, or names of bundled items
   std::string subject;    // name or file that experiments are checked against; empty: none
   std::string materials;  // file over the built-in table that names of materials are checked
                           // against; empty: that table

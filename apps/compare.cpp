@@ -57,7 +57,7 @@ void run_compare(const TypedQuestion& options) {
 
 void add_compare(CLI::App& app) {
   auto options = std::make_shared<TypedQuestion>();  // lives as long as the callback
-  CLI::App* command = app.add_subcommand("compare", "Hands on the same objects and tasks");
+  CLI::App* command = app.add_subcommand("compare", "Compare hands on the same objects and tasks");
   add_request_options(*command, compare_params().params(), options->request);
   for (const char* const list : {"--hands", "--objects", "--tasks"})
     command->get_option(list)->delimiter(',');

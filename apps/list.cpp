@@ -16,8 +16,8 @@
 namespace thenar {
 void add_list(CLI::App& app) {
   auto options = std::make_shared<Arguments<CatalogueRequest>>();
-  CLI::App* command =
-      app.add_subcommand("list", "Names that commands take: subjects, worlds, hands, objects ..");
+  CLI::App* command = app.add_subcommand(
+      "list", "List the names that commands accept: subjects, worlds, hands, objects ..");
   command->add_option("what", options->request.what,
                       "Kind of names (default: all): " + listed(catalogue_words()));
   command->add_option("of", options->request.of,

@@ -57,7 +57,7 @@ std::string nearest_option(const CLI::App& command, const std::string& argument)
 
 /// A sentence about an argument that a command does not know.
 std::string unknown_argument(const CLI::App& command, const std::string& argument) {
-  return fmt::format("{} '{}' means nothing here{} `{} --help` lists what does",
+  return fmt::format("unknown {} '{}'{} see `{} --help`",
                      argument.rfind('-', 0) == 0 ? "option" : "argument", argument,
                      nearest_option(command, argument), full_name(command));
 }

@@ -139,7 +139,7 @@ const char* const kFormat =
 void add_quality(CLI::App& app) {
   auto options = std::make_shared<QualityArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand(
-      "quality", "Grasp quality (epsilon, volume, task margin) of a set of contacts");
+      "quality", "Compute the quality (epsilon, volume, task margin) of a set of contacts");
   command
       ->add_option("contacts", options->contacts,
                    "Contact sets: files (JSON), or names of DATA/contacts; several give an answer "

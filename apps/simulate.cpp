@@ -125,7 +125,7 @@ void simulate_scene_of(const SimulateArguments& options) {
 void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command =
-      app.add_subcommand("simulate", "How a digit moves when muscles are excited, or a scene");
+      app.add_subcommand("simulate", "Simulate a digit with excited muscles, or a scene");
   // Options that both have are typed once, in the words of a subject.
   const std::vector<Param> digit = digit_motion_params().params();
   add_request_options(*command, without(digit, {"vary_deg", "vary_rad"}), options->request);

@@ -44,7 +44,8 @@ void run_types(const Arguments<ThumbTypesRequest>& options) {
 void add_types(CLI::App& study) {
   auto options = std::make_shared<Arguments<ThumbTypesRequest>>();  // lives as long as the callback
   CLI::App* types = study.add_subcommand(
-      "thumb-types", "Which types of thumbs does the spread of joint axes make, and how many?");
+      "thumb-types",
+      "Sample which thumb types follow from the variation of joint axes, and how many");
   ThumbTypesRequest& request = options->request;
   add_data_option(*types, request.data);
   types->add_option("--draws", request.draws, "Thumbs to draw")
@@ -60,10 +61,11 @@ void add_types(CLI::App& study) {
 
 void add_study(CLI::App& app) {
   auto options = std::make_shared<StudyArguments>();  // lives as long as the callback
-  CLI::App* study = app.add_subcommand("study", "Simulated experiments with known ground truth");
+  CLI::App* study =
+      app.add_subcommand("study", "Run simulated experiments with known ground truth");
   study->require_subcommand(1);
   CLI::App* thumb = study->add_subcommand(
-      "thumb", "Can forces distinguish skewed from orthogonal thumb axes, and which forces can?");
+      "thumb", "Test whether forces distinguish skewed from orthogonal thumb axes, and which do");
   ThumbStudyRequest& request = options->request;
   add_data_option(*thumb, request.data);
   // Length of the chains, and simulations that calibrate them.

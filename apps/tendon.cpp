@@ -30,7 +30,8 @@ void add_sweep(CLI::App& tendon) {
 }  // namespace
 
 void add_tendon(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("tendon", "Tension in every band of the extensor hood");
+  CLI::App* command =
+      app.add_subcommand("tendon", "Compute the tension in every band of the extensor hood");
   command->require_subcommand(1);
   add_question_command(
       *command,

@@ -14,13 +14,14 @@
 namespace thenar {
 void add_validate(CLI::App& app) {
   auto options = std::make_shared<Arguments<ValidateRequest>>();
-  CLI::App* command = app.add_subcommand("validate", "Say what files are, or what is wrong");
+  CLI::App* command =
+      app.add_subcommand("validate", "Identify files, and report their first error");
   command
       ->add_option("files", options->request.things,
-                   "Files to check (TOML, HDF5, netCDF), or names of what comes with thenar")
+                   "Files to check (TOML, HDF5, netCDF), or names of bundled items")
       ->required();
   command->add_option("--subject", options->request.subject,
-                      "Subject (name or file) that the experiments are to suit: digit, joints, "
+                      "Subject (name or file) to check the experiments against: digit, joints, "
                       "muscles, postures, forces");
   add_materials_option(*command, options->request.materials);
   add_data_option(*command, options->request.data);

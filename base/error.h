@@ -16,7 +16,7 @@ namespace thenar {
 class Error : public std::runtime_error {
  public:
   /// @param field  field of the request that is wrong, missing or helpful; empty: none, or not
-  /// known
+  ///         known
   explicit Error(const std::string& what, std::string field = "")
       : std::runtime_error(what), field_(std::move(field)) {}
 

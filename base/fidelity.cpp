@@ -26,7 +26,7 @@ constexpr Words<Motion> kMotion[] = {
     {Motion::kDynamic, "dynamic", "bones are rigid bodies with the masses stated"}};
 constexpr Words<Joint> kJoint[] = {
     {Joint::kHinge, "hinge axes",
-     "a joint turns about an axis fixed in its parent bone, and yields no other way"},
+     "a joint turns about an axis fixed in its parent bone, and has no other compliance"},
     {Joint::kCompliant, "compliant joints",
      "ligaments are springs that let a joint yield under load"}};
 constexpr Words<Path> kPath[] = {

@@ -46,8 +46,9 @@ int edit_distance(const std::string& a, const std::string& b) {
 std::string nearest_name(const std::string& wanted, const std::vector<std::string>& names) {
   std::string best = shortest_beginning_with(wanted, names);
   if (!best.empty()) return best;
-  // Farther than half of its letters a name is a guess rather than a correction.
-  int least = static_cast<int>(wanted.size() + 1) / 2 + 1;
+  // A correction changes at most two letters of a short name, and a third of those of a long one.
+  const int letters = static_cast<int>(wanted.size());
+  int least = std::max(std::min(2, (letters + 1) / 2), (letters + 2) / 3) + 1;
   for (const std::string& name : names) {
     const int distance = edit_distance(wanted, name);
     if (distance < least) {

@@ -19,7 +19,7 @@ void on_threads(int threads, const std::function<void(int)>& work);
 /// done. If each call writes to its own memory, the result is that of a sequential loop.
 /// @param work  may be called from several threads at once
 /// @throws the exception of the smallest i whose work threw; work that has not started by then is
-/// skipped.
+///         skipped.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace thenar

@@ -18,7 +18,7 @@ struct ParallelTask {
 /// Runs all tasks in parallel, the longest first; returns when all are done. Reports their joint
 /// progress, one report at a time. Tasks that have not started at a stop request are skipped.
 /// @throws the exception of one of the tasks that threw; tasks that have not started by then are
-/// skipped.
+///         skipped.
 void run_tasks(std::vector<ParallelTask> tasks, const Progress& progress);
 
 }  // namespace thenar

@@ -24,7 +24,7 @@ class TaskQueue {
   /// Runs all tasks on the given number of threads; the caller is one of them, and calls `between`
   /// after each of its tasks and once more at the end.
   /// @throws the first exception of a task or of `between`; tasks that have not started by then are
-  /// skipped.
+  ///         skipped.
   void run(int threads, const std::function<void()>& between = {});
 
  private:

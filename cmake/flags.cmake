@@ -15,9 +15,11 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 option(THENAR_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 option(THENAR_FUZZ "Build fuzzers of the readers with clang's libFuzzer" OFF)
 
+option(THENAR_WERROR "End the build at a warning of gcc" OFF)
 add_library(thenar_warnings INTERFACE)
+target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
+  target_compile_options(thenar_warnings INTERFACE $<$<BOOL:${THENAR_WERROR}>:-Werror>
     # gcc 12 at -O3 raises these falsely inside fmt and Eigen
     -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()

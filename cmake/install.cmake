@@ -53,10 +53,6 @@ install(FILES ${PROJECT_BINARY_DIR}/thenarConfig.cmake
               ${PROJECT_BINARY_DIR}/thenarConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/cmake/dependencies.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/thenar)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/subjects ${PROJECT_SOURCE_DIR}/data/experiments
-                  ${PROJECT_SOURCE_DIR}/data/robots ${PROJECT_SOURCE_DIR}/data/objects
-                  ${PROJECT_SOURCE_DIR}/data/worlds ${PROJECT_SOURCE_DIR}/data/contacts
-                  ${PROJECT_SOURCE_DIR}/data/fits ${PROJECT_SOURCE_DIR}/data/nets
-                  ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/pads
-                  ${PROJECT_SOURCE_DIR}/data/presses ${PROJECT_SOURCE_DIR}/data/studies
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar)
+# All data, without the code that reads it.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar PATTERN io EXCLUDE)

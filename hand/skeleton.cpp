@@ -34,8 +34,9 @@ std::set<std::string> kept_segments(const Subject& subject,
 void require_known(const Subject& subject, const SkeletonOptions& options) {
   // Check that the digits exist.
   for (const std::string& name : options.digits)
-    require(find_named(subject.digits, name) != nullptr, "subject '{}' has no digit '{}'",
-            subject.name, name);
+    require(find_named(subject.digits, name) != nullptr,
+            "subject '{}' has no digit '{}'; there are {}", subject.name, name,
+            listed(names_of(subject.digits)));
   // Check that frozen joints exist, with angles within their limits.
   for (const auto& [name, angle] : options.frozen) {
     const JointAxis* joint = find_named(subject.joints, name);

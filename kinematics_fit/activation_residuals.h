@@ -14,7 +14,7 @@ namespace thenar {
 /// so that a fit and a posterior use the same likelihood. s penalises explaining a force by large
 /// errors of the tensions. A component of infinite sd is not fitted and has residual 0.
 /// @param A     forces per unit pull, 0 where not fitted, one column per pull of the task [1] (3,
-/// pulls)
+///         pulls)
 /// @param A_u   derivatives of A by coordinates u, column by column of A; no columns: not requested
 ///              [1 / unit of u] (3 pulls, coordinates)
 /// @return      r, then s (4), and J by u (4, coordinates)

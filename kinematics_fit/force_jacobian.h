@@ -26,8 +26,7 @@ struct ForceJacobian {
 /// Predicts the forces of all trials [N] (3, trials).
 /// @param u       displacements of the free coordinates [SI] (coordinates)
 /// @param kernel  compile_forces() of the same arguments, or null: values are equal to rounding,
-/// and
-///                Jacobians take several times as long
+///                and Jacobians take several times as long
 [[nodiscard]] Eigen::Matrix3Xd force_values(const TendonDigit& digit,
                                             const FitParameters& parameters,
                                             const ExperimentPlan& plan, const Eigen::VectorXd& u,

@@ -35,7 +35,7 @@ enum class Scaling {
 /// @throws InputError if the experiment states no length; names a segment that is no bone of this
 /// digit; states a length outside of 0.5 to 2 times the subject's; gives the place of its load cell
 /// in the subject's frame (`at_mm`); or if the digit has a net, or a tendon with moment arms but no
-/// path.
+///         path.
 [[nodiscard]] TendonDigit scale_to_outside(const TendonDigit& digit, const Experiment& experiment);
 
 }  // namespace thenar

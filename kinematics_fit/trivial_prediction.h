@@ -18,7 +18,7 @@ namespace thenar {
 /// posture was not measured, the mean is over other postures: those of the same specimen, or else
 /// of all. If these muscles were not loaded together, it is the sum of such means, one per muscle.
 /// @param seen  experiments available to the prediction; may include `experiment`, but without the
-/// trial
+///         trial
 /// @return nothing if no such load was measured, or only with fewer components
 [[nodiscard]] std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment,
                                                            const Trial& trial,

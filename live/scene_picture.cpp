@@ -100,9 +100,9 @@ void set_stop_ranges(const MovingScene& scene, std::vector<CoordinateRange>& ran
   for (const std::shared_ptr<const ForceElement>& element : scene.elements) {
     const auto* stops = dynamic_cast<const JointStops*>(element.get());
     if (stops == nullptr) continue;
-    for (std::size_t k = 0; k < stops->places().q.size(); ++k)
+    for (std::size_t k = 0; k < stops->indices().q.size(); ++k)
       for (std::size_t c = 0; c < ranges.size(); ++c)
-        if (layout.coordinate_q[c] == stops->places().q[k])
+        if (layout.coordinate_q[c] == stops->indices().q[k])
           ranges[c] = {stops->ranges()[k].lower, stops->ranges()[k].upper};
   }
 }

@@ -51,7 +51,7 @@ struct CalibratedLaws {
 
 /// Checks calibrated laws.
 /// @throws InputError if constants are invalid for their laws, or errors are negative or not
-/// finite.
+///         finite.
 inline void check_laws(const CalibratedLaws& laws) {
   // The laws' own constructors check their constants.
   (void)PowerLaw(laws.power, laws.relaxation);

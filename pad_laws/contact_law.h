@@ -68,7 +68,7 @@ struct GapRadius {
 [[nodiscard]] GapRadius radius_of(const RelativeCurvatures& gap);
 /// Checks a contact, and returns the radius of its gap.
 /// @throws InputError as radius_of(), or unless the load is finite, and force and friction not
-/// negative.
+///         negative.
 GapRadius checked_gap(const RelativeCurvatures& gap, double depth, double force, double friction);
 }  // namespace internal
 

@@ -40,7 +40,7 @@ double remember(const MemoryStep& step, double x_new, ExponentialMemory& memory)
 /// Checks relaxation terms.
 /// @param what  owner of the terms, for messages
 /// @throws InputError unless shares are not negative and sum to less than 1, and times are positive
-/// and finite.
+///         and finite.
 void check_exponential_terms(const std::vector<ExponentialTerm>& terms, const char* what);
 
 }  // namespace thenar

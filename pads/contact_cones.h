@@ -146,7 +146,7 @@ struct MotionResponse {
 /// @param places  positions of the nodes [m] (3, nodes)
 /// @param forces  contact forces on them [N] (3, nodes)
 /// @param response  response to a rigid motion at the nodes and to the turn of their forces (3,
-/// nodes)
+///         nodes)
 /// @return moment and rotation first, about the body's origin (6, 6)
 [[nodiscard]] Eigen::Matrix<double, 6, 6> object_stiffness(
     const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& forces,

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 void update_contacts(PressIterate& iterate) {
   iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    NodeContact& c = iterate.contacts[k];
+    SkinNodeContact& c = iterate.contacts[k];
     const double stiffness = iterate.node_stiffness[k];
     // Augment the normal force:  max(0, normal force - stiffness gap).
     c.normal_force = std::max(0.0, iterate.state.normal_force[k] - stiffness * iterate.gaps.gap(k));
@@ -57,7 +57,7 @@ IterateAction assess_iterate(PressIterate& iterate, const Matrix3Xd& u, PressOut
 }
 
 Matrix3d own_stiffness(const PressIterate& iterate, std::size_t k) {
-  const NodeContact& c = iterate.contacts[k];
+  const SkinNodeContact& c = iterate.contacts[k];
   if (c.normal_force <= 0) return Matrix3d::Zero();
   // Add the stiffness of friction in the tangent plane, reduced along the slip, to the normal one.
   const Vector3d own = iterate.gaps.own_gradient(k), normal = iterate.gaps.normal(k);
@@ -74,7 +74,7 @@ void add_own_stiffness(PressIterate& iterate) {
 
 Vector3d lost_friction(const PressIterate& iterate, std::size_t k, const Vector3d& moved,
                        double lost) {
-  const NodeContact& c = iterate.contacts[k];
+  const SkinNodeContact& c = iterate.contacts[k];
   const Vector3d slid = iterate.tangential(k, moved);
   return iterate.node_stiffness[k] * c.friction_scale *
              (slid - c.slip_direction.dot(slid) * c.last_friction_ratio) +
@@ -95,7 +95,7 @@ Matrix3Xd contact_force_loss(const PressIterate& iterate, const Matrix3Xd& moved
 }
 
 std::vector<ContactState> contact_states(const PressIterate& iterate) {
-  return transformed(iterate.contacts, [](const NodeContact& c) {
+  return transformed(iterate.contacts, [](const SkinNodeContact& c) {
     if (c.normal_force <= 0) return ContactState::kOpen;
     return c.slips ? ContactState::kSlips : ContactState::kSticks;
   });
@@ -103,7 +103,7 @@ std::vector<ContactState> contact_states(const PressIterate& iterate) {
 
 bool has_sliding_nodes(const PressIterate& iterate) {
   return iterate.object.friction > 0 &&
-         any_of(iterate.contacts, [](const NodeContact& c) { return c.slips; });
+         any_of(iterate.contacts, [](const SkinNodeContact& c) { return c.slips; });
 }
 
 }  // namespace thenar

@@ -35,7 +35,7 @@ class PadPress {
   void place_object(const Pose<double>& X_PO);
   /// Returns the slope of the object's wrench by its motion, without relaxation: press_stiffness().
   /// @param friction  coefficient instead of the object's: 1 makes nodes of a frictionless press
-  /// stick [1]
+  ///         stick [1]
   [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(std::optional<double> friction = {});
 
   /// Sets the bound of the force error from the next step on [1].

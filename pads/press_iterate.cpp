@@ -106,7 +106,7 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
   total_force = 0;
   // Subtract the contact forces from those of the tissue, and sum their wrench on the body.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const NodeContact& c = contacts[k];
+    const SkinNodeContact& c = contacts[k];
     const Vector3d force = forces.col(k) + c.friction_force;
     if (force.isZero(0)) continue;
     residual.segment<3>(3 * surface.nodes[k]) -= force;

@@ -15,7 +15,7 @@
 namespace thenar {
 
 /// Contact of one surface node at an iterate.
-struct NodeContact {
+struct SkinNodeContact {
   double normal_force = 0;                       // [N]
   Eigen::Vector3d friction_force{0, 0, 0};       // [N] (3)
   bool slips = false;                            // friction lies on its cone
@@ -108,9 +108,9 @@ struct PressIterate : PressProblem {
   PressFactors& factors;
   PressState state;
   MeanGaps gaps;
-  std::optional<SkinSprings> springs;  // set where an edge of the object lies over the skin
-  std::vector<NodeContact> contacts;   // (surface nodes)
-  std::vector<double> node_stiffness;  // stiffness of the contacts [N/m] (surface nodes)
+  std::optional<SkinSprings> springs;     // set where an edge of the object lies over the skin
+  std::vector<SkinNodeContact> contacts;  // (surface nodes)
+  std::vector<double> node_stiffness;     // stiffness of the contacts [N/m] (surface nodes)
   TissueResponse tissue;
   Eigen::VectorXd residual;     // unbalanced forces [N] (3 free nodes)
   Wrench push;                  // wrench of the object on the body, about the body's origin

@@ -46,7 +46,7 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
   moved.colwise() -= motion * iterate.goal.along;
   const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const NodeContact& c = iterate.contacts[k];
+    const SkinNodeContact& c = iterate.contacts[k];
     const double lost = iterate.node_stiffness[k] * gap_changes[k];
     double& normal_force = iterate.state.normal_force[k];
     normal_force = c.normal_force > 0 ? std::max(0.0, c.normal_force - lost) : 0;

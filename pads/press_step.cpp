@@ -48,7 +48,7 @@ PressState final_state(PressIterate& iterate) {
   PressState& state = iterate.state;
   // Copy the forces of the nodes, and anchor them to the object.
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
-    const NodeContact& c = iterate.contacts[k];
+    const SkinNodeContact& c = iterate.contacts[k];
     state.normal_force[k] = c.normal_force;
     // Friction may exceed its cone by the tolerance.
     const double bound = iterate.object.friction * c.normal_force, size = c.friction_force.norm();

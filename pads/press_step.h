@@ -28,7 +28,7 @@ namespace thenar {
 /// springs that shorten steps. A solution in which object and tissue have passed through each other
 /// is rejected. The tissue pressure is a separate unknown (element_response()).
 /// @throws InputError if a pose, a time or a force makes no sense, or the state belongs to another
-/// body.
+///         body.
 /// Sources: [AlartCurnier1991], [SimoLaursen1992], [HueeberStadlerWohlmuth2008].
 [[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                                       const RigidObject& object, const PressGoal& goal,

@@ -82,9 +82,8 @@ RequestTable<GraspRequest> grasp_params() {
   table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
             "Farthest approach.", "approach-distance,way");
   table.add("starts", integer_schema(0, 1e9), &Request::starts,
-            "Number of random pregrasps, of which the best is taken, drawn as in comparisons; 0: "
-            "the world's own; the "
-            "hand may then be any hand by name.",
+            "Number of random pregrasps to try, drawn as in comparisons; the best is kept. 0: the "
+            "world's own pregrasp. With random pregrasps the hand may be any hand by name.",
             "random");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
@@ -146,13 +145,14 @@ RequestTable<CompareRequest> compare_params() {
 
 void internal::add_contact_questions(std::vector<Question>& all) {
   add_question(all, "contacts",
-               "Grasp quality (epsilon, volume, task margin) of a set of contacts.",
+               "Compute the quality (epsilon, volume, task margin) of a set of contacts.",
                contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality");
   add_question(
-      all, "grasp", "Approaches and grasps the object of a world, and computes the grasp quality.",
+      all, "grasp", "Approach and grasp the object of a world, and compute the grasp quality.",
       grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp", QuestionPace::kLasts);
   add_question(
-      all, "compare", "Hands on the same objects and tasks.", compare_params(), compare_hands,
+      all, "compare", "Compare hands on the same objects and tasks.", compare_params(),
+      compare_hands,
       R"({"hands": ["barrett", "parallel_jaw"], "objects": ["sphere_70"], "approaches": 2})",
       "compare", QuestionPace::kLasts);
 }

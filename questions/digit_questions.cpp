@@ -89,7 +89,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
                  "Axes of directions: world: the subject's frame; tip: proximal, dorsal, radial.",
                  "axes");
   table.add("whole_set", flag_schema(), &Request::whole_set,
-            "Compute the whole set, also beside a direction.", "set");
+            "Compute the whole set even if a direction is given.", "set");
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the resulting loss of force is "
             "reported.");
@@ -135,30 +135,33 @@ RequestTable<PoseRequest> pose_params() {
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
-  add_question(all, "pose", "Joints, segments or links, and tips at a posture.", pose_params(),
-               ask_pose, R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
+  add_question(all, "pose", "Compute joints, segments or links, and tips at a posture.",
+               pose_params(), ask_pose,
+               R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
   add_question<DigitRequest, MomentArmResult>(
-      all, "moment_arms", "Moment arms and length changes of a digit's tendons.",
+      all, "moment_arms", "Compute moment arms and length changes of a digit's tendons.",
       moment_arm_params(), compute_moment_arms,
       R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})", "moment-arms");
-  add_question(all, "tip_force", "Force of a fingertip from tendon tensions.", tip_force_params(),
-               compute_tip_force,
+  add_question(all, "tip_force", "Compute the force of a fingertip from tendon tensions.",
+               tip_force_params(), compute_tip_force,
                R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,
                                   "PIP3": 55}, "tension_N": {"FDP": 10}})",
                "tip-force");
-  add_question(all, "feasible_force", "The largest force or moment of a fingertip, or all of them.",
-               feasible_force_params(), compute_feasible_force,
-               R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
+  add_question(
+      all, "feasible_force",
+      "Compute the largest feasible force or moment of a fingertip, or the whole feasible set.",
+      feasible_force_params(), compute_feasible_force,
+      R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
                                   "PIP2": 45, "DIP2": 10}, "frame": "tip",
                                   "direction": [0, -1, 0]})",
-               "feasible-force");
-  add_question(all, "tendons", "Bands, slips, torques and tip force of a digit.", tension_params(),
-               solve_tendons,
+      "feasible-force");
+  add_question(all, "tendons", "Compute bands, slips, torques and tip force of a digit.",
+               tension_params(), solve_tendons,
                R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":
                                   {"MCP2_FE": 20, "PIP2": 30}, "tension_N": {"EDC": 2.9}})",
                "tendon solve");
   add_question(all, "tendon_sweep",
-               "Bands, slips, torques and tip force of a digit over a grid of postures.",
+               "Compute bands, slips, torques and tip force of a digit over a grid of postures.",
                tension_params(), sweep_tendons,
                R"({"subject": "synek2019_middle", "tension_N": {"EDC": 2.9},
                                   "vary_deg": [{"joint": "PIP3", "from": 0, "to": 20,

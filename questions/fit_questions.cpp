@@ -55,8 +55,8 @@ RequestTable<FitSources> source_params() {
   table.add("also_free", names_schema(), &FitSources::also_free,
             "Also free the parameters that match these globs.", "free");
   table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
-            "Size of the digit before parameters act: the subject's own, or by what each "
-            "experiment states in [outside].");
+            "Size of the digit before the fit: the subject's own, or scaled to the "
+            "lengths in the [outside] of each experiment.");
   add_fit_path(table, &FitSources::path);
   add_data(table, &FitSources::data);
   return table;
@@ -101,7 +101,8 @@ RequestTable<InferNetRequest> infer_params() {
             "Seed of the search, and of the draws that `free` asks for.");
   // Free parameters are alternatives to bands; bands then get probabilities.
   table.add("free", names_schema(), &Request::free,
-            "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
+            "Alternatives that may explain the forces instead of a band: slack, paths, stiffness "
+            "or globs of "
             "parameters; bands then get probabilities.");
   table.add("bands", names_schema(), &Request::bands,
             "Bands in question, with `free`, as globs; default: all.");
@@ -221,12 +222,12 @@ RequestTable<SampleRequest> posterior_params() {
 }
 
 void internal::add_fit_questions(std::vector<Question>& all) {
-  add_question(all, "fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
+  add_question(all, "fit", "Fit a digit to measured fingertip forces.", fit_params(), fit_digit,
                R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
                QuestionPace::kLasts);
   add_question(all, "predict", "Predict the forces of an experiment from a fit.", predict_params(),
                predict, R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})", "predict");
-  add_question(all, "posterior", "Draws of all parameters that priors and measured forces allow.",
+  add_question(all, "posterior", "Sample all parameters that priors and measured forces allow.",
                posterior_params(), sample,
                R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
           "warm_up": 50, "draws": 50, "output": "posterior.nc"})",

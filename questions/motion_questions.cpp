@@ -174,20 +174,22 @@ RequestTable<SceneRequest> scene_sweep_params() {
 }
 
 void internal::add_motion_questions(std::vector<Question>& all) {
-  add_question(all, "digit_motion", "How a digit moves when its muscles are excited.",
-               digit_motion_params(), simulate_digit,
+  add_question(all, "digit_motion", "Simulate a digit with excited muscles.", digit_motion_params(),
+               simulate_digit,
                R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
                                   "seconds": 0.05})",
                "simulate", QuestionPace::kLasts);
   add_question<SceneRequest, SceneResult>(
-      all, "scene", "How a scene of bodies and hands moves.", scene_params(), simulate_scene,
+      all, "scene", "Simulate a scene of bodies and hands.", scene_params(), simulate_scene,
       R"({"scene": "incline_slide", "seconds": 0.1})", "simulate", QuestionPace::kLasts);
   add_question(
-      all, "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
+      all, "scene_sweep", "Simulate a scene for ranges of its numbers.", scene_sweep_params(),
+      sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
           "to": 0.3, "count": 2}]})",
       "simulate", QuestionPace::kLasts);
-  add_question(all, "press", "Force, area, pressure and stick of a pad under an object.",
+  add_question(all, "press",
+               "Compute force, area, pressure and sticking area of a pad under an object.",
                press_params(), press_pad, R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})",
                "pad press", QuestionPace::kLasts);
 }

@@ -53,9 +53,8 @@ std::pair<int, bool> nearest_direction(const Eigen::Vector3d& v) {
   return {static_cast<int>(i), v[i] < 0};
 }
 
-/// "(0.71 proximal, 0.71 dorsal, 0.00 radial)" of a direction that is more than 20 degrees off all
-/// three;
-/// "" where one of them names it.
+/// Returns "(0.71 proximal, 0.71 dorsal, 0.00 radial)" of a direction that is more than 20 degrees
+/// off all three, or "" where one of them names it.
 std::string oblique_words(const Eigen::Vector3d& v) {
   constexpr double kAlongCosine = 0.9396926207859084;  // Cosine of 20 degrees [1]
   const Eigen::Vector3d u = v.normalized();

@@ -91,7 +91,7 @@ struct ArrowNullSpace {
 /// Computes the null space of the `rows`; all directions of a block without rows belong to it. The
 /// cost is proportional to the number of blocks.
 /// @param tolerance  singular values below it count as zero; it is at least the rounding of the
-/// largest one
+///         largest one
 [[nodiscard]] ArrowNullSpace arrow_null_space(const ArrowLayout& layout,
                                               const std::vector<ArrowRows>& rows, double tolerance);
 

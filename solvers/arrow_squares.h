@@ -51,7 +51,7 @@ class ArrowSquaresFactor {
   /// Factorises the matrix over the free coordinates; the others are held fixed.
   /// @param free  true for each free coordinate (size)
   /// @return nothing if H is not positive definite, or if D of a free own coordinate is not
-  /// positive
+  ///         positive
   static std::optional<ArrowSquaresFactor> factor(const ArrowSquares& matrix,
                                                   const std::vector<bool>& free);
 

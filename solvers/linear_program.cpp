@@ -166,7 +166,7 @@ LinearProgram recession_program(LinearProgram program) {
 
 /// Finds whether a feasible point exists. Rows that are violated by rounding only are relaxed.
 /// @param proof  receives the optimum of the elastic program: a point, or duals that are a Farkas
-/// ray
+///         ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {
   // Minimise the sum of violations.
   proof = find_optimum(elastic_program(program));

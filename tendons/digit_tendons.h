@@ -128,8 +128,7 @@ class TendonFollower {
   /// be followed there, so that an integrator shortens its step. The first state is reached from
   /// the straight digit under the same tensions.
   /// @param load  tension of each muscle [N]; for DigitTendons::follower_on_tendons(), position of
-  /// the
-  ///              far end of its tendon [m] (muscles)
+  ///              the far end of its tendon [m] (muscles)
   /// @throws InputError as DigitTendons::evaluate().
   virtual TendonTorque torque_at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 

@@ -27,7 +27,7 @@ struct NamedPad {
 
 /// Finds, reads and builds a pad.
 /// @throws InputError if there is none of that name, or a law lacks its exponent; DataError for a
-/// wrong file.
+///         wrong file.
 [[nodiscard]] NamedPad open_pad(const PadRequest& request);
 
 /// Returns a sentence that lists the assumed, not measured, properties of a pad; "" if all are

@@ -33,7 +33,7 @@ struct PortableWorld {
 /// THENAR/data/objects/mug.toml; "" for a file that does not come with thenar.
 /// @param folder  "objects"
 /// @param files  digests of all files read with it, itself included: they must exist with equal
-/// content
+///         content
 [[nodiscard]] std::string shipped_name(const std::string& file, const std::string& folder,
                                        const FileDigests& files);
 

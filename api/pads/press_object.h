@@ -40,7 +40,7 @@ struct PressObject {
 /// [m]
 /// @throws InputError for a name that is neither known nor a file, a radius or scale that is not
 /// positive, one given to an object that has none, or a mesh that bounds no solid; DataError for a
-/// wrong file.
+///         wrong file.
 [[nodiscard]] PressObject open_press_object(const PressObjectRequest& request, double size);
 
 /// Pose at which an object just touches a pad, and the direction of its motion.
@@ -56,7 +56,7 @@ struct PadTouch {
 /// The object is aimed at the point of the skin that is farthest against that direction. The skin
 /// is sampled at about a hundredth of the pad's length.
 /// @param angle  within 60 deg either way [rad];  @param turn  rotation of the object about `along`
-/// [rad]
+///         [rad]
 /// @throws InputError if an angle is out of range, or the object misses the pad.
 [[nodiscard]] PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle,
                                  double turn);

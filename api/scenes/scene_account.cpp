@@ -18,7 +18,7 @@ constexpr double kWarnedPenetration = 1e-3;  // Penetration beyond which a warni
 std::string energy_error_words(const FlowBalance& balance) {
   return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ total energy exchanged",
                      1e3 * std::abs(balance.error),
-                     balance.error < 0 ? "made of nothing" : "lost to nothing", balance.t,
+                     balance.error < 0 ? "created" : "unaccounted for", balance.t,
                      100 * balance.relative_error(), 1e3 * balance.turned_over);
 }
 

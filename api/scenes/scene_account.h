@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Returns the energy error in words: "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ total
+/// Returns the energy error in words: "0.075 mJ unaccounted for by 0.4 s, 0.095 % of 78.6 mJ total
 /// energy exchanged".
 [[nodiscard]] std::string energy_error_words(const FlowBalance& balance);
 

@@ -123,7 +123,7 @@ struct RequestedScene {
 /// the result, which is the same as without mpirun; the others get no value. Call it once in a
 /// program.
 /// @throws as simulate_scene(), or for more than kMaxRuns runs; where several processes fail, the
-/// first throws.
+///         first throws.
 [[nodiscard]] std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request,
                                                           const Progress& progress = {});
 inline constexpr std::size_t kMaxRuns = 10000;  // largest number of runs of a sweep [1]
@@ -134,7 +134,7 @@ inline constexpr const char* kSceneRunFormat = "thenar scene run 1";
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
 /// all sources and the record of the run; of a sweep a summary of all runs, and each in a group.
 /// @throws InputError if the file cannot be written, or the scene has no file, which readers of a
-/// run need.
+///         run need.
 void write_scene_run(const SceneResult& scene, const std::string& path, const RunRecord& run = {});
 void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
                        const RunRecord& run = {});

@@ -53,11 +53,12 @@ CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int c
   CLI::Option* option = command.add_option("--port", arguments.access.port, port);
   option->check(CLI::Range(0, 65535));
   command.add_option("--bind", arguments.access.address,
-                     "Address to listen at; other machines need --token");
+                     "Address to listen on; other machines need --token");
   CLI::Option* token = command.add_option(
       "--token", arguments.access.token,
       "Access token for clients; `auto` generates and prints one. Default: generated");
-  command.add_flag("--no-token", arguments.no_token, "Let all users of this machine in")
+  command
+      .add_flag("--no-token", arguments.no_token, "Allow all users of this machine without a token")
       ->excludes(token);
   command.add_option("--log", arguments.log,
                      "File that every request is written to; `serve --replay` repeats them");

@@ -75,8 +75,8 @@ void run_pad_fit(PadFitArguments options) {
 
 void add_pad_fit(CLI::App& pad) {
   auto options = std::make_shared<PadFitArguments>();  // lives as long as the callback
-  CLI::App* command =
-      pad.add_subcommand("fit", "Constants of a pad from measured presses, and what is left open");
+  CLI::App* command = pad.add_subcommand(
+      "fit", "Fit constants of a pad to measured presses; say which the data do not determine");
   PadFitRequest& request = options->request;
   command
       ->add_option("presses", request.presses,
@@ -125,7 +125,7 @@ void add_pad_laws(CLI::App& pad) {
   auto options = std::make_shared<PadLawsArguments>();  // lives as long as the callback
   CLI::App* command = pad.add_subcommand(
       "laws",
-      "Power law, soft finger and bed of springs fitted to a pad's elements; takes minutes");
+      "Fit a power law, a soft finger and a bed of springs to a pad's elements; takes minutes");
   PadLawsRequest& request = options->request;
   command->add_option("--pad", request.pad.pad, "A pad: its name, or its file (TOML)");
   command->add_option("--error", options->error_percent,
@@ -144,8 +144,7 @@ void add_pad_laws(CLI::App& pad) {
 
 void add_pad(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "pad",
-      "A finger pad by itself: pressed by an object, fitted to measured presses, reduced to laws");
+      "pad", "Press a finger pad, fit it to measured presses, reduce it to laws");
   command->require_subcommand(1);
   add_question_command(*command, {"press",
                                   "press",

@@ -25,7 +25,7 @@ constexpr double kLostLine = 1000;  // where lost objects are drawn
 /// An engine's answer at one knob.
 struct Verdict {
   double knob = 0;  // step [s] or tolerance
-  double cpu = 0;   // processor time for a simulated second [ms]
+  double cpu = 0;   // processor time per simulated second [ms]
   double error = 0;
   std::vector<double> further;
   std::string message;  // empty: none
@@ -139,7 +139,7 @@ Json chart(const PeerTask& task, const std::vector<Course>& courses) {
   return {
       {"type", "lines"},
       {"caption", "Lower left is better; failures stand at the top, errors below 1e-16 at 1e-16"},
-      {"x_label", "processor time for a simulated second [ms]"},
+      {"x_label", "processor time per simulated second [ms]"},
       {"y_label", task.error.name},
       {"log_x", true},
       {"log_y", true},

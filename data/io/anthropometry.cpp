@@ -30,7 +30,7 @@ SegmentProportion read_segment(TomlTable& table) {
   SegmentProportion segment;
   segment.name = table.text("name");
   segment.length = table.number(Dimension::kNumber, "length_ratio", Range::kFraction);
-  table.read_each("joints", segment.joints, read_joint);
+  read_each(table, "joints", segment.joints, read_joint);
   if (segment.joints.empty()) table.fail(fmt::format("segment '{}' needs 'joints'", segment.name));
   return segment;
 }
@@ -43,7 +43,7 @@ DigitProportion read_digit(TomlTable& table) {
   digit.splay = table.number_or(Dimension::kAngle, "splay", 0);
   digit.roll = table.number_or(Dimension::kAngle, "roll", 0);
   // Bones from the knuckle outwards; a digit has at least one.
-  table.read_each("segment", digit.segments, read_segment);
+  read_each(table, "segment", digit.segments, read_segment);
   if (digit.segments.empty())
     table.fail(fmt::format("digit '{}' needs at least one [[digit.segment]]", digit.name));
   return digit;
@@ -57,7 +57,7 @@ HandProportions parse_proportions(const std::string& text, const std::string& pa
   HandProportions hand;
   hand.name = top.text("name");
   hand.description = top.text_or("description", "");
-  top.read_each("digit", hand.digits, read_digit);
+  read_each(top, "digit", hand.digits, read_digit);
   top.done();
   return hand;
 }

@@ -49,10 +49,10 @@ DigitVariability parse_variability(const std::string& text, const std::string& p
   out.name = top.text("name");
   out.description = top.text_or("description", "");
   out.mean_subject = top.text("mean_subject");
-  top.read_each("axis", out.axes, read_axis_variability);
+  read_each(top, "axis", out.axes, read_axis_variability);
   if (out.axes.empty()) top.fail("wanted at least one [[axis]], got none");
   TomlTable second =
-      top.needed_table("second", "wanted [second], the second criterion of types, got none");
+      needed_table(top, "second", "wanted [second], the second criterion of types, got none");
   out.second = read_question(second);
   top.done();
   return out;

@@ -251,8 +251,8 @@ std::map<std::string, double> read_outside(TomlTable& table) {
 void read_trials(TomlTable& top, const Pulley& pulley, const ReadComponents& read,
                  Experiment& experiment) {
   TomlTable trials =
-      top.needed_table("trials", "the file needs [trials]: its 'rows' are the loads and forces");
-  trials.read_each("rows", experiment.trials, read_trial, experiment, read, pulley);
+      needed_table(top, "trials", "the file needs [trials]: its 'rows' are the loads and forces");
+  read_each(trials, "rows", experiment.trials, read_trial, experiment, read, pulley);
   if (experiment.trials.empty())
     trials.fail("wanted at least one trial in 'rows', got none", "rows");
   trials.done();
@@ -292,18 +292,18 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
 
   // Protocol: how the tip was held, in which axes its force was read, and how accurately.
   TomlTable protocol =
-      top.needed_table("protocol", "the file needs [protocol]: how the fingertip was held");
+      needed_table(top, "protocol", "the file needs [protocol]: how the fingertip was held");
   const Pulley pulley = read_protocol(protocol, experiment);
   TomlTable force =
-      top.needed_table("force", "the file needs [force]: the segment and the axes of the forces");
+      needed_table(top, "force", "the file needs [force]: the segment and the axes of the forces");
   const ReadComponents read = read_force_axes(force, experiment);
   if (std::optional<TomlTable> noise = top.table("noise")) read_noise(*noise, experiment);
 
   // Postures and trials, or activations in place of trials.
-  top.read_each("posture", experiment.postures, read_posture, experiment);
+  read_each(top, "posture", experiment.postures, read_posture, experiment);
   if (read.site && top.has("activation"))
     top.fail("an [[activation]] is of the tip; state 'at' in the rows of [trials]", "activation");
-  top.read_each("activation", experiment.activations, read_activation, experiment, read);
+  read_each(top, "activation", experiment.activations, read_activation, experiment, read);
   if (experiment.activations.empty() || top.has("trials"))
     read_trials(top, pulley, read, experiment);
   top.done();

@@ -155,15 +155,15 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
       top.number_or(Dimension::kNumber, "superposition", 0, Range::kNotNegative);
   settings.linearity = top.number_or(Dimension::kNumber, "linearity", 0, Range::kNotNegative);
   // Rules stay in the order of the file: later ones win.
-  top.read_each("parameter", settings.rules, read_rule);
-  top.read_each("axis_distance", settings.axis_distances, read_axis_distance);
+  read_each(top, "parameter", settings.rules, read_rule);
+  read_each(top, "axis_distance", settings.axis_distances, read_axis_distance);
   if (std::optional<TomlTable> table = top.table("posterior"))
     settings.posterior = read_posterior(*table);
   for (TomlTable& row : top.tables("choose")) {
     settings.choices.push_back(read_choice(row));
     set_choice(settings, settings.choices.size() - 1, settings.choices.back().chosen);
   }
-  top.read_each("prior_scale", settings.scales, read_prior_scale);
+  read_each(top, "prior_scale", settings.scales, read_prior_scale);
   top.done();
   return settings;
 }

@@ -42,12 +42,12 @@ StrandPoint read_strand_point(TomlTable& table) {
 void read_reference(TomlTable& top, NetDescription& net) {
   // Bone lengths and heights of the reference finger.
   TomlTable bones =
-      top.needed_table("bone_lengths", "wanted a table [bone_lengths] of the reference finger");
+      needed_table(top, "bone_lengths", "wanted a table [bone_lengths] of the reference finger");
   for (const auto& [bone, name] : kBoneRoleNames)
     net.bone_length[bone] = bones.number(Dimension::kLength, name, Range::kPositive);
   bones.done();
-  TomlTable heights = top.needed_table("extensor_heights",
-                                       "wanted a table [extensor_heights] of the reference finger");
+  TomlTable heights = needed_table(top, "extensor_heights",
+                                   "wanted a table [extensor_heights] of the reference finger");
   for (const auto& [joint, name] : kFingerJointNames)
     net.height[joint] = heights.number(Dimension::kLength, name, Range::kPositive);
   heights.done();
@@ -203,10 +203,10 @@ NetDescription parse_net(const std::string& text, const std::string& path) {
   net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kFraction);
   read_reference(top, net);
   // Parts in an order in which references point backwards.
-  top.read_each("surface", net.surfaces, read_surface, net);
-  top.read_each("node", net.nodes, read_node, net);
-  top.read_each("band", net.bands, read_band, net);
-  top.read_each("muscle", net.muscles, read_muscle, net);
+  read_each(top, "surface", net.surfaces, read_surface, net);
+  read_each(top, "node", net.nodes, read_node, net);
+  read_each(top, "band", net.bands, read_band, net);
+  read_each(top, "muscle", net.muscles, read_muscle, net);
   read_slips(top, net);
   top.done();
   return net;

@@ -85,7 +85,7 @@ Segment read_segment(TomlTable& table, SubjectDraft& draft) {
 }  // namespace
 
 void read_segments(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("segment", draft.subject.segments, read_segment, draft);
+  read_each(top, "segment", draft.subject.segments, read_segment, draft);
   const std::vector<std::string> names = names_of(draft.subject.segments);
   // An alias must not hide a segment.
   for (const auto& [alias, name] : draft.aliases)
@@ -118,7 +118,7 @@ void read_resistance(TomlTable& table, JointAxis& joint) {
 }
 
 void read_axis(TomlTable& table, JointAxis& joint) {
-  joint.direction = table.sign("direction_sign") * table.direction("direction");
+  joint.direction = read_sign(table, "direction_sign") * read_direction(table, "direction");
   joint.point = table.vector(Dimension::kLength, "point");
   joint.direction_sd = table.number_or(Dimension::kAngle, "direction_sd", 0, Range::kNotNegative);
   joint.point_sd = table.number_or(Dimension::kLength, "point_sd", 0, Range::kNotNegative);
@@ -177,7 +177,7 @@ void read_joints(TomlTable& top, SubjectDraft& draft) {
 namespace {
 
 Pose<double> read_base(TomlTable& table) {
-  return {table.quaternion("base_quaternion_wxyz"),
+  return {read_quaternion(table, "base_quaternion_wxyz"),
           table.vector(Dimension::kLength, "base_position")};
 }
 
@@ -193,7 +193,7 @@ JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<dou
   joint.child = segment_reference(table, "child", draft);
   read_range(table, joint);
   // A negative sign reverses the axis, and with it the range.
-  const double sign = table.sign("sign");
+  const double sign = read_sign(table, "sign");
   joint.point = X.p;
   joint.direction = sign * X.R.col(2);
   if (sign < 0) std::tie(joint.lower, joint.upper) = std::pair(-joint.upper, -joint.lower);

@@ -54,8 +54,8 @@ HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
 
 /// Reads a digit's directions: proximal is kept, dorsal made perpendicular, radial follows by side.
 void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
-  digit.proximal = table.direction("proximal");
-  const Vector3d dorsal = table.direction("dorsal");
+  digit.proximal = read_direction(table, "proximal");
+  const Vector3d dorsal = read_direction(table, "dorsal");
   // Rounded directions are accepted, skew ones are not.
   if (std::abs(digit.proximal.dot(dorsal)) > kPerpendicularCosine)
     table.fail(fmt::format("'dorsal' of digit '{}' is not perpendicular to 'proximal': their "
@@ -66,7 +66,7 @@ void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
   digit.radial = digit.proximal.cross(digit.dorsal) * (side == "right" ? 1 : -1);
   if (!table.has("radial")) return;
   // A stated radial direction must agree.
-  const Vector3d radial = table.direction("radial");
+  const Vector3d radial = read_direction(table, "radial");
   if (radial.cross(digit.radial).norm() > kPerpendicularCosine || radial.dot(digit.radial) < 0)
     table.fail(fmt::format("'radial' of digit '{}' does not complete 'proximal' and 'dorsal' of a "
                            "{} hand",
@@ -99,13 +99,13 @@ HoodRule read_hood(TomlTable& table, const SubjectDraft& draft) {
   hood.radial_band = reference(table, "radial_band", "strand", strands);
   hood.ulnar_band = reference(table, "ulnar_band", "strand", strands);
   hood.terminal_slip = reference(table, "terminal_slip", "strand", strands);
-  table.read_each("branches", hood.branches, read_branch, draft);
+  read_each(table, "branches", hood.branches, read_branch, draft);
   table.done();
   return hood;
 }
 
 void read_digits(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("digit", draft.subject.digits, read_digit, draft);
+  read_each(top, "digit", draft.subject.digits, read_digit, draft);
   for (const auto& [name, end] : draft.chain_ends)
     check_reference(top, "dh_chain", "digit", name, names_of(draft.subject.digits));
 }
@@ -145,7 +145,7 @@ TipMap read_tip_map(TomlTable& table, const SubjectDraft& draft) {
 }  // namespace
 
 void read_tip_maps(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("tip_map", draft.subject.tip_maps, read_tip_map, draft);
+  read_each(top, "tip_map", draft.subject.tip_maps, read_tip_map, draft);
 }
 
 }  // namespace thenar::internal

@@ -31,7 +31,7 @@ Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
   Strand strand;
   strand.name = new_name(table, names_of(draft.subject.strands));
   // Path from insertion to origin.
-  table.read_each("path", strand.path, read_path_element, draft);
+  read_each(table, "path", strand.path, read_path_element, draft);
   check_path(table, strand, draft);
   // Constant moment arms.
   strand.arms = table.named(Dimension::kLength, "arms");
@@ -84,11 +84,11 @@ void read_frames(TomlTable& top, SubjectDraft& draft) {
 }
 
 void read_strands(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("strand", draft.subject.strands, read_strand, draft);
+  read_each(top, "strand", draft.subject.strands, read_strand, draft);
 }
 
 void read_muscles(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("muscle", draft.subject.muscles, read_muscle, draft);
+  read_each(top, "muscle", draft.subject.muscles, read_muscle, draft);
 }
 
 namespace {
@@ -237,13 +237,13 @@ Matrix3d read_axes(TomlTable& table, SurfaceShape shape) {
   if (shape == SurfaceShape::kSphere) return Matrix3d::Identity();
   Matrix3d axes;
   if (shape != SurfaceShape::kEllipsoid) {
-    const Vector3d z = table.direction("axis");
+    const Vector3d z = read_direction(table, "axis");
     const Tangents across = tangents(z);
     axes << across.e1, across.e2, z;
     return axes;
   }
   // Right-handed axes from two perpendicular ones.
-  const Vector3d x = table.direction("x_axis"), z = table.direction("z_axis");
+  const Vector3d x = read_direction(table, "x_axis"), z = read_direction(table, "z_axis");
   if (std::abs(x.dot(z)) > 1e-6) table.fail("wanted 'x_axis' perpendicular to 'z_axis'", "x_axis");
   const Vector3d y = z.cross(x).normalized();
   axes << y.cross(z), y, z;
@@ -271,7 +271,7 @@ Surface read_surface(TomlTable& table, const SubjectDraft& draft) {
 }  // namespace
 
 void read_surfaces(TomlTable& top, SubjectDraft& draft) {
-  top.read_each("surface", draft.subject.surfaces, read_surface, draft);
+  read_each(top, "surface", draft.subject.surfaces, read_surface, draft);
 }
 
 }  // namespace thenar::internal

@@ -103,13 +103,7 @@ double TomlTable::number(Dimension dimension, const std::string& base, Range ran
 
 double TomlTable::number_or(Dimension dimension, const std::string& base, double fallback,
                             Range range) {
-  return number_if(dimension, base, range).value_or(fallback);
-}
-
-std::optional<double> TomlTable::number_if(Dimension dimension, const std::string& base,
-                                           Range range) {
-  if (!has(dimension, base)) return std::nullopt;
-  return number(dimension, base, range);
+  return number_if(*this, dimension, base, range).value_or(fallback);
 }
 
 std::vector<double> TomlTable::numbers(Dimension dimension, const std::string& base, int count,
@@ -130,18 +124,6 @@ Eigen::Vector3d TomlTable::vector_or(Dimension dimension, const std::string& bas
   return has(dimension, base) ? vector(dimension, base) : fallback;
 }
 
-Eigen::Vector3d TomlTable::direction(const std::string& key) {
-  const Eigen::Vector3d d = vector(Dimension::kNumber, key);
-  if (d.norm() < 1e-9) fail(fmt::format("wanted '{}' as a direction, got a zero vector", key), key);
-  return d.normalized();
-}
-
-double TomlTable::sign(const std::string& key) {
-  const double sign = number_or(Dimension::kNumber, key, 1);
-  if (std::abs(sign) != 1) fail(fmt::format("wanted '{}' to be 1 or -1, got {}", key, sign), key);
-  return sign;
-}
-
 Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
   // Three rows of three numbers.
   const TomlNode& node = need(key, TomlKind::kArray);
@@ -153,15 +135,6 @@ Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
     rows.row(i) << row[0], row[1], row[2];
   }
   return rows;
-}
-
-Eigen::Matrix3d TomlTable::quaternion(const std::string& key) {
-  constexpr double kQuaternionTolerance = 1e-3;  // largest error of the length of a printed one [1]
-  const std::vector<double> q = numbers(Dimension::kNumber, key, 4);
-  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (std::abs(quaternion.norm() - 1) > kQuaternionTolerance)
-    fail(fmt::format("wanted '{}' of length 1, got {:.6g}", key, quaternion.norm()), key);
-  return quaternion.normalized().toRotationMatrix();
 }
 
 std::map<std::string, double> TomlTable::named(Dimension dimension, const std::string& base,
@@ -208,11 +181,6 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
   for (const TomlNode& node : need(key, TomlKind::kArray).items)
     result.push_back(inner(node, "[[" + key + "]]"));
   return result;
-}
-
-TomlTable TomlTable::needed_table(const std::string& key, const std::string& complaint) {
-  if (std::optional<TomlTable> found = table(key)) return *found;
-  fail(complaint);
 }
 
 std::string TomlTable::source() const { return fmt::format("{}", fmt::join(sources_, ", ")); }
@@ -353,6 +321,40 @@ TomlTable TomlFile::top() const {
   TomlTable table(*this, root_, "the top level", {});
   table.ignore("sources");
   return table;
+}
+
+std::optional<double> number_if(TomlTable& table, Dimension dimension, const std::string& base,
+                                Range range) {
+  if (!table.has(dimension, base)) return std::nullopt;
+  return table.number(dimension, base, range);
+}
+
+Eigen::Vector3d read_direction(TomlTable& table, const std::string& key) {
+  const Eigen::Vector3d d = table.vector(Dimension::kNumber, key);
+  if (d.norm() < 1e-9)
+    table.fail(fmt::format("wanted '{}' as a direction, got a zero vector", key), key);
+  return d.normalized();
+}
+
+double read_sign(TomlTable& table, const std::string& key) {
+  const double sign = table.number_or(Dimension::kNumber, key, 1);
+  if (std::abs(sign) != 1)
+    table.fail(fmt::format("wanted '{}' to be 1 or -1, got {}", key, sign), key);
+  return sign;
+}
+
+Eigen::Matrix3d read_quaternion(TomlTable& table, const std::string& key) {
+  constexpr double kQuaternionTolerance = 1e-3;  // largest error of the length of a printed one [1]
+  const std::vector<double> q = table.numbers(Dimension::kNumber, key, 4);
+  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
+  if (std::abs(quaternion.norm() - 1) > kQuaternionTolerance)
+    table.fail(fmt::format("wanted '{}' of length 1, got {:.6g}", key, quaternion.norm()), key);
+  return quaternion.normalized().toRotationMatrix();
+}
+
+TomlTable needed_table(TomlTable& table, const std::string& key, const std::string& complaint) {
+  if (std::optional<TomlTable> found = table.table(key)) return *found;
+  table.fail(complaint);
 }
 
 }  // namespace thenar

@@ -94,20 +94,13 @@ class TomlTable {
                               Range range = Range::kAny);
   [[nodiscard]] double number_or(Dimension dimension, const std::string& base, double fallback,
                                  Range range = Range::kAny);
-  /// Returns a quantity, or nothing if it is absent.
-  [[nodiscard]] std::optional<double> number_if(Dimension dimension, const std::string& base,
-                                                Range range = Range::kAny);
   /// @param count  number of entries wanted; 0: any
   [[nodiscard]] std::vector<double> numbers(Dimension dimension, const std::string& base,
                                             int count = 0, Range range = Range::kAny);
   [[nodiscard]] Eigen::Vector3d vector(Dimension dimension, const std::string& base);
   [[nodiscard]] Eigen::Vector3d vector_or(Dimension dimension, const std::string& base,
                                           const Eigen::Vector3d& fallback);
-  [[nodiscard]] Eigen::Vector3d direction(const std::string& key);  // normalised (3)
-  [[nodiscard]] double sign(const std::string& key);                // 1 if absent, or -1
-  [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);      // three rows of three
-  /// Returns the rotation of a quaternion w, x, y, z, whose length may deviate from 1 by rounding.
-  [[nodiscard]] Eigen::Matrix3d quaternion(const std::string& key);
+  [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);  // three rows of three
 
   /// Names to quantities, `arms_mm = {PIP3 = 5.6}`. Empty if absent.
   [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
@@ -120,16 +113,6 @@ class TomlTable {
   /// Return tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
-  /// @throws DataError with a complaint if the table is absent.
-  [[nodiscard]] TomlTable needed_table(const std::string& key, const std::string& complaint);
-  /// Adds read(table, arguments..) of each table [[key]] to a list, and refuses its unread keys.
-  template <typename List, typename Read, typename... Arguments>
-  void read_each(const std::string& key, List& list, const Read& read, Arguments&&... arguments) {
-    for (TomlTable& each : tables(key)) {
-      list.push_back(read(each, arguments...));
-      each.done();
-    }
-  }
 
   [[nodiscard]] const std::string& title() const { return title_; }
   [[nodiscard]] int line() const { return node_->line; }
@@ -173,6 +156,33 @@ class TomlTable {
   std::set<std::string> known_;  // requested keys
   std::vector<Quantity> asked_;  // requested quantities
 };
+
+/// Returns a quantity, or nothing if it is absent.
+[[nodiscard]] std::optional<double> number_if(TomlTable& table, Dimension dimension,
+                                              const std::string& base, Range range = Range::kAny);
+
+/// Returns a vector that is not zero, normalised (3).
+[[nodiscard]] Eigen::Vector3d read_direction(TomlTable& table, const std::string& key);
+
+/// Returns a sign, 1 or -1; 1 if it is absent.
+[[nodiscard]] double read_sign(TomlTable& table, const std::string& key);
+
+/// Returns the rotation of a quaternion w, x, y, z, whose length may deviate from 1 by rounding.
+[[nodiscard]] Eigen::Matrix3d read_quaternion(TomlTable& table, const std::string& key);
+
+/// Returns a table within `table`. @throws DataError with a complaint if it is absent.
+[[nodiscard]] TomlTable needed_table(TomlTable& table, const std::string& key,
+                                     const std::string& complaint);
+
+/// Adds read(table, arguments..) of each table [[key]] to a list, and refuses its unread keys.
+template <typename List, typename Read, typename... Arguments>
+void read_each(TomlTable& table, const std::string& key, List& list, const Read& read,
+               Arguments&&... arguments) {
+  for (TomlTable& each : table.tables(key)) {
+    list.push_back(read(each, arguments...));
+    each.done();
+  }
+}
 
 namespace internal {
 /// Runs a check that throws InputError, and reports it at the table, or at one of its keys.

@@ -7,11 +7,11 @@
 
 namespace thenar {
 
-JointStops::JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
+JointStops::JointStops(std::string name, Skeleton skeleton, CoordinateIndices indices,
                        const JointResistance& resistance)
     : name_(std::move(name)),
       limits_(std::move(skeleton)),
-      indices_(std::move(places)),
+      indices_(std::move(indices)),
       resistance_(resistance) {
   const std::size_t joints = limits_.limits.size();
   require(indices_.q.size() == joints && indices_.v.size() == joints,

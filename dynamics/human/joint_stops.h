@@ -22,7 +22,7 @@ class JointStops final : public ForceElement {
   /// @param skeleton  skeleton whose joint ranges and passive moments are used
   /// @param indices   indices of its coordinates in the scene
   /// @throws InputError if their numbers differ from that of the joints.
-  JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
+  JointStops(std::string name, Skeleton skeleton, CoordinateIndices indices,
              const JointResistance& resistance = {});
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
@@ -35,7 +35,7 @@ class JointStops final : public ForceElement {
   /// Returns the ranges of the coordinates [rad].
   [[nodiscard]] const std::vector<CoordinateLimits>& ranges() const { return limits_.limits; }
   /// Returns the indices of the coordinates in the scene.
-  [[nodiscard]] const CoordinateIndices& places() const { return indices_; }
+  [[nodiscard]] const CoordinateIndices& indices() const { return indices_; }
 
  private:
   std::string name_;

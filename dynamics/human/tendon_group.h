@@ -34,7 +34,7 @@ void scatter(const Eigen::MatrixXd& added, const std::vector<int>& rows,
 /// @param muscles  names of the muscles of each digit that have no given tension (digits)
 /// @param excited  flag of each digit: one of its muscles is excited (digits)
 /// @return indices of the digits of each group, rising; groups ordered by their first digit
-/// (groups)
+///         (groups)
 [[nodiscard]] std::vector<std::vector<int>> contracting_groups(
     const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited);
 

@@ -22,7 +22,7 @@ struct PadState {
 /// @param other    index of the body that it presses on
 /// @param outward  unit normal of the pad, frame of `body` (3)
 /// @throws InputError if run and measures differ in their number of instants, or a body does not
-/// exist.
+///         exist.
 [[nodiscard]] std::vector<PadState> pad_angles(const SceneRun& run, const RunMeasures& measures,
                                                int body, int other, const Eigen::Vector3d& outward);
 

@@ -34,7 +34,7 @@ namespace thenar {
 ///
 /// Results are bitwise reproducible for the same scene and options.
 /// @param progress  receives the fraction of simulated time before each step, and may request a
-/// stop
+///         stop
 /// @throws InputError as ContactStep; if an option is out of range, or for another method.
 [[nodiscard]] SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options = {},
                                       const Progress& progress = {});

@@ -178,8 +178,7 @@ class Closing {
   }
 
   /// Returns the velocity of a point of a surface by each coordinate that does not also move the
-  /// other surface
-  /// [m/s] (3, coordinates)
+  /// other surface [m/s] (3, coordinates).
   [[nodiscard]] Eigen::Matrix3Xd velocities(int surface, int other,
                                             const Eigen::Vector3d& at_W) const {
     const int link = hand_.surfaces()[surface].link;

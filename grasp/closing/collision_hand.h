@@ -51,7 +51,7 @@ struct CollisionHand {
 /// - where both rotate in the same sense in closing, about axes within 45 deg of each other: such
 ///   fingers separate sideways, a motion that no drive makes; here they overlap.
 /// @throws InputError if the hand has no surface, or no friction is known between two of its soft
-/// materials.
+///         materials.
 [[nodiscard]] CollisionHand collision_hand(const Hand& hand,
                                            const Materials& materials = built_in_materials());
 

@@ -79,7 +79,7 @@ struct [[nodiscard]] Grasp {
 /// palm; a hand that meets an obstacle closes where it is.
 /// @param q  posture of the approach, at which closing begins (coordinates)
 /// @throws InputError as approach(), close_hand() and find_contacts(), or if stand_off is not in
-/// [0, 1].
+///         [0, 1].
 Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
             const GraspSetup& setup, const GraspOptions& options = {});
 

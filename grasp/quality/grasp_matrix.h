@@ -31,7 +31,7 @@ struct GraspMatrixMeasures {
 /// Computes the measures of a grasp matrix. @param G  (3 or 6, k), finite
 /// @throws InputError if an entry is not finite
 /// Source: [RoaSuarez2015] for the measures of the algebraic properties of G; [Murray1994] for
-/// internal forces.
+///         internal forces.
 [[nodiscard]] GraspMatrixMeasures grasp_matrix_measures(const Eigen::MatrixXd& G);
 
 }  // namespace thenar

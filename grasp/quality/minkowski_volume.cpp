@@ -103,7 +103,7 @@ class Sum {
       : bodies_(bodies), no_area_(no_area), progress_(progress) {}
 
   /// @return nothing if facets do not form a closed surface, ties leave them uncertain, or after a
-  /// stop
+  ///         stop
   std::optional<double> volume() {
     Form one{};
     one[0] = 1;

@@ -11,7 +11,7 @@ namespace thenar {
 /// Computes the wrenches of contacts in the plane z = 0: the ends n +- mu t of each friction cone,
 /// as points (f_x, f_y, 0, 0, 0, torque / scale) [1]; contacts of one region share a number.
 /// @throws InputError as wrench_set(), and if a position or normal is off the plane or a contact
-/// has torsion
+///         has torsion
 [[nodiscard]] WrenchSet planar_wrench_set(const std::vector<Contact>& contacts,
                                           const Eigen::Vector3d& centre, double torque_scale);
 

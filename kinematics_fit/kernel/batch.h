@@ -41,7 +41,7 @@ struct Batch {
 
 /// Predicts the forces at many points.
 /// @param choice  backends to use, widest first; the last points use the narrowest backend that
-/// holds them
+///         holds them
 /// @param u       displacements (fit coordinates, points)
 [[nodiscard]] Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                               const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep);

@@ -50,7 +50,7 @@ struct ExperimentPlan {
 /// If two components in the plane of flexion are fitted, and all axes are within 15 degrees of the
 /// normal of that plane, only forces in the plane are used. Every search for the equilibrium of a
 /// net starts at net_start, so that forces are a function of the parameters and do not depend on
-/// earlier evaluations.
+///         earlier evaluations.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);

@@ -172,8 +172,7 @@ void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const Tre
 
 /// Returns the net with these numbers.
 /// @param angle  flexion of the metacarpophalangeal joint for which muscles divide their tension
-/// among
-///               their pulls [rad]
+///               among their pulls [rad]
 [[nodiscard]] BuiltNet built_net(const SpecimenNet<double>& net, double angle = kHoodAngle);
 
 }  // namespace thenar

@@ -12,7 +12,7 @@ namespace thenar {
 class BedPad final : public MovingPad {
  public:
   /// @throws InputError if the object has no shape or no friction >= 0, or the bed no shear to hold
-  /// it by.
+  ///         it by.
   BedPad(std::shared_ptr<const FoundationBed> bed, RigidObject object, const Pose<double>& X_PO);
 
   [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;

@@ -24,7 +24,7 @@ class LawPad final : public MovingPad {
  public:
   /// @param name  name of the level of detail
   /// @throws InputError as PadChart, or if law or object are missing, or the law has no tangential
-  /// stiffness.
+  ///         stiffness.
   LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
          RigidObject object, const Pose<double>& X_PO);
 

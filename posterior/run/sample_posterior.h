@@ -57,7 +57,7 @@ struct PosteriorRun {
 /// again. With several ranks, only the first searches and returns results; the others return no
 /// draws.
 /// @throws InputError or DataError as build_problem() and run_chains() do, or if no start has
-/// finite
+///         finite
 /// density; on all ranks alike.
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
                                             const PosteriorSettings& settings,

@@ -239,13 +239,13 @@ std::vector<std::string> loss_cells(const FeasibleForceResult& answer, const Par
           std::isnan(loss.share) ? unknown : shown(loss.share, decimals)};
 }
 
-/// "Without EPL, with 44.6 N of FPL: 63.2 % of the 53.8 N of all muscles are lost".
+/// "Without EPL, with 44.6 N of FPL: 63.2 % of 53.8 N (all muscles) is lost".
 std::string loss_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   if (!point.loss) return "";
   const LoadWords words = words_of(point.load);
   const std::string without = weak_words(answer) + ": ";
   if (std::isnan(point.loss->share)) return without + "the loss is not known\n\n";
-  return fmt::format("{}{:.1f} % of the {} {} of all muscles are lost\n\n", without,
+  return fmt::format("{}{:.1f} % of {} {} (all muscles) is lost\n\n", without,
                      100 * point.loss->share,
                      shown(point.loss->intact.component, 3 + words.more_decimals), words.unit);
 }

@@ -22,7 +22,7 @@ const std::string& name_of(const Hand& hand, int surface) {
 /// Why coordinates stop that no limit and no contact stops.
 constexpr std::array kStopWords{EnumName{StoppedBy::kNothing, "free"},
                                 EnumName{StoppedBy::kCoupling, "coupled with one that is stopped"},
-                                EnumName{StoppedBy::kNoDrive, "nothing drives it"}};
+                                EnumName{StoppedBy::kNoDrive, "no closing drive moves it"}};
 
 /// Gaps with the setup, and between all surfaces that may meet.
 std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const GraspSetup& setup) {

@@ -23,7 +23,7 @@ struct Touching {
                                                   const GraspSetup& setup, double within);
 
 /// Returns the reason why each coordinate stopped: "at its upper limit", "contact: DP2 on can",
-/// "coupled with one that is stopped", "nothing drives it", "free".
+/// "coupled with one that is stopped", "no closing drive moves it", "free".
 [[nodiscard]] std::vector<std::string> stop_words(const CollisionHand& hand,
                                                   const ClosedHand& closed,
                                                   const std::vector<Touching>& touching);

@@ -10,7 +10,7 @@ namespace thenar {
 std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q) {
   if (!has_passive(skeleton)) return "";
   const Eigen::VectorXd tau = passive_torque(skeleton, q);
-  std::string line = "passive moments of joints, counted [N mm]:";
+  std::string line = "passive joint moments, included [N mm]:";
   for (Eigen::Index i = 0; i < tau.size(); ++i)
     line += fmt::format("{} {} {:.3g}", i == 0 ? "" : ",", nth(skeleton.coordinate_names, i),
                         tau[i] / kNewtonMillimetre);

@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Returns the passive moments as a line of text: "passive moments of joints, counted [N mm]:
+/// Returns the passive moments as a line of text: "passive joint moments, included [N mm]:
 /// MCP2_FE -12.1, PIP2 3.2"; empty if no joint has any.
 /// @param q  [rad] (coordinates)
 [[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);

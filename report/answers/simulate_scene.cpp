@@ -279,7 +279,7 @@ std::string text_of(const SceneResult& scene) {
                                  scene.name, name_of(scene.run.status), simulated_seconds(scene),
                                  method_of(scene), cost.steps, cost.impacts);
   text += titled("Bodies at the end (centres of mass)", body_table(scene));
-  text += titled("Pairs that touched (slip: way that they slid on each other)", pair_table(scene));
+  text += titled("Pairs that touched (slip: distance slid)", pair_table(scene));
   if (const Table patches = patch_table(scene); !patches.rows.empty())
     text += titled("Patches of pads at the end", patches);
   if (!scene.measures.pulls.muscles.empty())
@@ -295,7 +295,7 @@ std::string text_of(const SceneResult& scene) {
     text += fmt::format("{}: {}\n", row[0], row[1]);
   if (!passive_moments(scene).is_null()) text += "passive moments of human joints are counted\n";
   text += fmt::format("worst residual of a contact problem {}\n", residual_words(scene));
-  return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
+  return text + fmt::format("CPU {:.3g} ms per simulated second\n", 1e3 * cpu_per_second(scene));
 }
 
 Fields fields_of(const SceneResult& scene) {

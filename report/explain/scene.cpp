@@ -150,7 +150,7 @@ Section explain_motors(const RobotSpec& robot) {
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof == dof.name) joints.push_back(driven_words(joint));
     const bool sliding = slides(robot, dof);
-    const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm") +
+    const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " N m") +
                                (dof.nominal_effort ? " (nominal)" : "");
     section.table.add({dof.name, name_in(kDriveCouplingNames, dof.kind),
                        in_units(dof.lower, sliding), in_units(dof.upper, sliding),

@@ -89,7 +89,7 @@ Section explain_questions(const TendonDigit& built) {
   return {
       "questions",
       "Questions",
-      {{"question", "needs", "can_be_asked"},
+      {{"question", "needs", "possible"},
        {{"pose", "posed, hinge axes", "yes"},
         {"tip-force", "static, constant moment arms or richer", tendons},
         {"feasible-force", "static, constant moment arms or richer, F0 of every muscle", limits},

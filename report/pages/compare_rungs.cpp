@@ -28,7 +28,7 @@ Json error_chart(const RungComparison& comparison, const std::string& caption,
     series.push_back(
         curve_json(run.rung, Json::array({cpu_per_second(run)}), Json::array({error}), "points"));
   }
-  return with(lines_block(caption, "processor time for a simulated second [s]", label, series),
+  return with(lines_block(caption, "processor time per simulated second [s]", label, series),
               {{"log_x", true}, {"log_y", true}});
 }
 
@@ -40,7 +40,7 @@ Json rung_table(const RungComparison& comparison) {
                     cpu_per_second(run), 100 * run.error.force_end, 100 * run.error.force_all,
                     run.error.place_end / kMm, run.error.place_largest / kMm,
                     run.error.turn_end / kDegree});
-  return table_block("Rungs: processor time for a simulated second, and errors",
+  return table_block("Rungs: processor time per simulated second, and errors",
                      {"rung", "status", "unsolved:0", "time [s]", "forces, end [%]",
                       "forces, all [%]", "places, end [mm]", "places, most [mm]", "turn [deg]:2"},
                      std::move(rows));

@@ -21,7 +21,7 @@ namespace thenar {
 
 /// Returns the reference of the errors: "against elements", and whether that rung was solved.
 [[nodiscard]] std::string finest_words(const RungComparison& comparison);
-/// Returns the CPU time for a simulated second [s]; not a number where nothing was simulated.
+/// Returns the CPU time per simulated second [s]; not a number where nothing was simulated.
 [[nodiscard]] double cpu_per_second(const RungRun& run);
 
 /// Returns a page with error over cost of the rungs, forces over time, and a film of each rung.

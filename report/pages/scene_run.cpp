@@ -332,10 +332,10 @@ Json opening_of(const SceneResult& scene) {
                                      nth(bodies, pair.b).name, pair.force.norm()));
   return opening_json(
       "What happens in this scene: " + scene.description + "?",
-      fmt::format("{:.6g} s were simulated by {}, {} steps.", scene.run.samples.back().t,
+      fmt::format("{:.6g} s was simulated with {}, {} steps.", scene.run.samples.back().t,
                   method_of(scene), scene.run.cost.steps),
       refusal_of(scene).empty() ? (touching.empty() ? "At the end nothing touches."
-                                                    : fmt::format("At the end these touch: {}.",
+                                                    : fmt::format("In contact at the end: {}.",
                                                                   fmt::join(touching, ", ")))
                                 : "The motion is not to be used: " + refusal_of(scene) + ".");
 }
@@ -351,12 +351,12 @@ Json page_of(const SceneResult& scene) {
   if (!scene.measures.pulls.muscles.empty())
     sections.push_back(section("muscles", "Muscles", "", muscle_charts(scene)));
   sections.push_back(section("places", "Places", "", place_charts(scene)));
-  sections.push_back(section(
-      "energy", "Energy",
-      fmt::format("Work of forces and drives {:.4g} mJ; dissipated {:.4g} mJ.",
-                  1e3 * scene.measures.work, 1e3 * scene.measures.dissipated),
-      Json::array({energy_chart(scene),
-                   table_block("How far this motion is to be believed", account_table(scene))})));
+  sections.push_back(
+      section("energy", "Energy",
+              fmt::format("Work of forces and drives {:.4g} mJ; dissipated {:.4g} mJ.",
+                          1e3 * scene.measures.work, 1e3 * scene.measures.dissipated),
+              Json::array({energy_chart(scene),
+                           table_block("Reliability of this motion", account_table(scene))})));
   return {{"title", fmt::format("Scene {}", scene.name)},
           {"subtitle",
            fmt::format("{} after {:.6g} s", name_of(scene.run.status), scene.run.samples.back().t)},

@@ -65,7 +65,7 @@ Json friction_chart(const GraspResult& result) {
   }
   return with(
       lines_block("Signed epsilon of the same contacts with less and more friction.",
-                  "friction, times that of the materials [1]", "epsilon [1]",
+                  "friction relative to the materials' value [1]", "epsilon [1]",
                   Json::array({with(curve_json("epsilon", x, y),
                                     {{"band_low", low}, {"band_high", high}})})),
       {{"reference_lines", Json::array({{{"value", 0}, {"label", "force closure above"}},
@@ -128,7 +128,7 @@ Json wrench_section(const GraspResult& result, MeshTable& meshes) {
   return section(
       "wrenches", "Wrenches that the contacts can make",
       "Pale: forces (left) and torques over the object's reach (right) of all wrenches within the "
-      "limit of forces. Blue: those that come without torque, or without force.",
+      "limit of forces. Blue: pure forces (left), pure torques (right).",
       Json::array({row_block(Json::array(
           {set_scene(result, 0, "Forces on the object, for unit contact forces.", meshes),
            set_scene(result, 3, "Torques on the object over its reach.", meshes)}))}));

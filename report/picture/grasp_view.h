@@ -26,7 +26,7 @@ struct Eyes {
 /// best has the largest
 ///   (sum of counts / contacts) sqrt(corners seen / corners) + 0.15 cos(angle to the usual).
 /// @param contacts  contacts in the object's frame; without contacts the usual direction is
-/// returned
+///         returned
 /// @returns unit, world frame (3)
 [[nodiscard]] Eigen::Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
                                                const std::vector<HandContact>& contacts,

@@ -27,9 +27,9 @@ struct ImportanceWeights {
 /// p(x_i), smoothed by smooth_weights(). For draws of chains, uses the efficiency of the mean of r.
 /// @param log_ratio  log r up to a constant; -inf: q is zero there, and the weight is 0 (N)
 /// @param chains     number of chains of equal length, stored one after the other; 0: independent
-/// draws
+///         draws
 /// @throws InputError if a ratio is NaN or +inf, or none is finite; if N is not a multiple of
-/// `chains`, or
+///         `chains`, or
 /// chains have fewer than 4 draws.
 /// Source: [Vehtari2024] eqs. 1 to 3 and sec. 2; [Kong1994] for the effective size.
 [[nodiscard]] ImportanceWeights importance_weights(

@@ -55,7 +55,7 @@ struct ModeTable {
 /// error is meaningless because the masses only reflect the initial points. A known mode without
 /// any draw raises a warning unless less than one draw is expected in it.
 /// @throws InputError if shapes disagree, a draw is not finite, or a covariance is not positive
-/// definite.
+///         definite.
 [[nodiscard]] ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known = {},
                                        const ModeOptions& options = {});
 

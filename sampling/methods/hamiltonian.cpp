@@ -199,7 +199,7 @@ double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
 
 void Hamiltonian::follow(const Densities& at, double energy_error) {
   // Update the candidate and the selected point.
-  const Verdict verdict = now_.trajectory->assess_point(energy_error, random_);
+  const PointVerdict verdict = now_.trajectory->assess_point(energy_error, random_);
   if (verdict.is_candidate) {
     candidate_.x = requested_;
     candidate_.y = now_.moving_point->y;

@@ -45,7 +45,7 @@ class JitteredLength : public HamiltonianTrajectory {
   PhasePoint& moving_point() override { return point_; }
   [[nodiscard]] double leapfrog_length() const override { return leap_; }
 
-  Verdict assess_point(double energy_error, RandomStream& random) override {
+  PointVerdict assess_point(double energy_error, RandomStream& random) override {
     ++point_count_;
     // Reject a divergent trajectory.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};

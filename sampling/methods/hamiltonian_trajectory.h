@@ -34,7 +34,7 @@ void end_leapfrog(PhasePoint& point, const Whitening& whitening, const Eigen::Ve
 
 /// Decision about the latest point. A trajectory stores no positions: the caller holds a candidate
 /// and a selected point, which is the starting point at first.
-struct Verdict {
+struct PointVerdict {
   bool is_candidate = false;       // the latest point becomes the candidate
   bool selects_candidate = false;  // the candidate, then, becomes the selected point
   bool is_complete = false;  // the trajectory is complete: the selected point is the next draw
@@ -53,7 +53,7 @@ class HamiltonianTrajectory {
   [[nodiscard]] virtual double leapfrog_length() const = 0;
   /// Decides about the point that has moved.
   /// @param energy_error  energy error of that point; +inf if its density is zero or not finite
-  virtual Verdict assess_point(double energy_error, RandomStream& random) = 0;
+  virtual PointVerdict assess_point(double energy_error, RandomStream& random) = 0;
 
   /// Returns the mean acceptance probability of the points so far, each taken as a proposal, 0..1
   /// [1].

@@ -68,13 +68,13 @@ class NoUTurn : public HamiltonianTrajectory {
   PhasePoint& moving_point() override { return ends_[forward_]; }
   [[nodiscard]] double leapfrog_length() const override { return forward_ == 1 ? step_ : -step_; }
 
-  Verdict assess_point(double energy_error, RandomStream& random) override {
+  PointVerdict assess_point(double energy_error, RandomStream& random) override {
     ++point_count_;
     // A divergent trajectory ends; the point selected so far is the draw.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     acceptance_sum_ += std::min(1.0, std::exp(-energy_error));
     // Sample the candidate among the new points, and check for U-turns.
-    Verdict verdict;
+    PointVerdict verdict;
     verdict.is_candidate = weigh(-energy_error, random);
     verdict.is_complete = !push();
     if (verdict.is_complete || halves_[0].points < tree_.points) return verdict;

@@ -110,7 +110,7 @@ struct SamplerOptions {
 
 /// Creates a sampler.
 /// @param starts  one column per chain; kStretchMove needs an even number of at least n + 2,
-/// kDreamZs at
+///         kDreamZs at
 /// least 3, the others one (n, chains). Their densities are not known yet: a Hamiltonian chain that
 /// starts at zero density has no gradient to follow; it stays, and reports each step as divergent,
 /// until move() puts it elsewhere.

@@ -63,7 +63,7 @@ struct RunOptions {
 ///                (n, groups * walkers)
 /// @throws CheckpointError if a checkpoint belongs to another run or is damaged.
 /// @throws InputError if options are inconsistent, another process uses the folder, or it is not
-/// writable.
+///         writable.
 [[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
                                const RunOptions& options, const Communicator& ranks);
 

@@ -26,7 +26,7 @@ class RunFolder {
  public:
   /// @param rows  length of a column of each stream (groups)
   /// @throws CheckpointError that names the difference if the folder belongs to another run, or is
-  /// damaged.
+  ///         damaged.
   /// @throws InputError if another process uses it, or it is not writable.
   RunFolder(const std::string& folder, const RunIdentity& identity,
             const std::vector<Eigen::Index>& rows);

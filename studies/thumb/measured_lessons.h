@@ -29,7 +29,7 @@ struct MeasuredPredictions {
   Eigen::MatrixXd clamped;  // forces of all trials, tip clamped [N] (3 trials, draws)
   Eigen::VectorXd intact;   // pinch with all muscles [N] (draws); NaN: undecided
   Eigen::MatrixXd loss;     // loss of pinch force, NaN where `intact` is below kMinPinchForce or a
-                         // program is undecided [1] (blocks, draws)
+                            // program is undecided [1] (blocks, draws)
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
@@ -101,7 +101,7 @@ struct MeasuredLessonsSettings {
 /// @param tilts           draws as columns (tilts, draws)
 /// @param log_likelihood  log likelihood of each draw [1] (draws)
 /// @param chains          number of chains, whose draws follow one another; 0: draws are
-/// independent
+///         independent
 [[nodiscard]] DataUpdate update_tilts(const AddedData& added,
                                       const Eigen::Ref<const Eigen::MatrixXd>& tilts,
                                       const Eigen::Ref<const Eigen::VectorXd>& log_likelihood,

@@ -34,7 +34,7 @@ inline constexpr Fidelity kTipForceNeeds{Motion::kStatic, Path::kConstant};
 /// @param R    moment arms -d(length)/dq, flexion positive   m x n  [m/rad]
 /// @param t    tendon tensions, each >= 0                    m      [N]
 /// @throws InputError if shapes disagree, J_W or R is not finite, or t has a negative or non-finite
-/// entry.
+///         entry.
 /// Source: [ValeroCuevas1998] for the static model, [An1983] for the sign of R.
 [[nodiscard]] TipForce tip_force(const Eigen::Ref<const Eigen::Matrix3Xd>& J_W,
                                  const Eigen::Ref<const Eigen::MatrixXd>& R,

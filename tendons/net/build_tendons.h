@@ -14,7 +14,7 @@ namespace thenar {
 /// Builds the simplest tendons that have the requested path and hood models: linear ones up to
 /// fixed fractions, a net beyond.
 /// @param options      path and hood models; tendons of a net's digit that bypass the net have the
-/// path model
+///         path model
 /// @param description  description of the net; needed if and only if `options.hood` requests one
 /// @throws InputError if the description is absent or the subject lacks something.
 [[nodiscard]] std::unique_ptr<DigitTendons> build_digit_tendons(

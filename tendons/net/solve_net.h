@@ -90,7 +90,7 @@ class NetSolver {
   /// Solves for the equilibrium.
   /// @param state  pose of the links, from pose_tree()
   /// @param start  initial nodes, world [m] (3, nodes); null: each where its link carries
-  /// NetNode::p
+  ///         NetNode::p
   /// @throws InputError if shapes disagree, or a tension is negative or not finite.
   NetEquilibrium solve(const TreeState<double>& state, const NetDrive& drive,
                        const Eigen::Matrix3Xd* start = nullptr);

@@ -44,7 +44,7 @@ class NetForwardModel {
   /// @param EA    stiffness of each candidate; 0: it does not exist, and its column of derivatives
   /// is zero [N] (candidates)
   /// @param near  prediction that holds, whose equilibria are the starts; null: the net of all
-  /// candidates
+  ///         candidates
   NetPrediction predict(const Eigen::VectorXd& EA, Sensitivities slopes,
                         const NetPrediction* near = nullptr);
 

@@ -18,6 +18,8 @@ TEST(NearestName, CountsLetters) {
 TEST(NearestName, IsSilentWhereNothingIsAlike) {
   EXPECT_EQ(did_you_mean("FPD", {"FDP", "EDC"}), ", did you mean 'FDP'?");
   EXPECT_EQ(did_you_mean("FPD", {"EDC"}), "");
+  EXPECT_EQ(did_you_mean("fingers", {"nets"}), "");
+  EXPECT_EQ(did_you_mean("nothere", {"rutgers"}), "");
 }
 
 // PIP2 and DIP2 are nearer by letters.

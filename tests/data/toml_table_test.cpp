@@ -2,7 +2,6 @@
 
 #include "data/io/toml_table.h"
 
-
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -147,7 +146,7 @@ TEST(TomlTable, RefusesTheWrongCount) {
 }
 
 TEST(TomlTable, RefusesAZeroDirection) {
-  const auto direction = [](TomlTable& top) { (void)top.direction("axis"); };
+  const auto direction = [](TomlTable& top) { (void)read_direction(top, "axis"); };
   EXPECT_EQ(refusal(kSource + "axis = [0, 0, 0]", direction),
             "a.toml:2: wanted 'axis' as a direction, got a zero vector");
 }

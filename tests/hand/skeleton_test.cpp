@@ -182,7 +182,7 @@ TEST(Skeleton, SaysWhichDigitIsUnknown) {
   SkeletonOptions options;
   options.digits = {"index", "tail"};
   EXPECT_EQ(message([&] { (void)build_skeleton(sample::two_link(), options); }),
-            "subject 'two-link' has no digit 'tail'");
+            "subject 'two-link' has no digit 'tail'; there are index");
 }
 
 TEST(Skeleton, SaysWhichFrozenJointIsUnknown) {

@@ -25,3 +25,19 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/uses_thenar ${WORK}/prefix/share/thenar/subjects/synek2019_middle.toml)
 run(${WORK}/prefix/bin/thenar --version)
+
+# The installed command finds every subject, scene, hand, table of proportions .. of data/.
+function(names_of out)
+  execute_process(COMMAND ${WORK}/prefix/bin/thenar list --csv ${ARGN} WORKING_DIRECTORY ${WORK}
+                  OUTPUT_VARIABLE names RESULT_VARIABLE status)
+  if(status)
+    message(FATAL_ERROR "thenar list ${ARGN}: ${status}")
+  endif()
+  string(REGEX REPLACE ",[^\n]*" "" names "${names}")  # kinds alone; files have other folders
+  set(${out} "${names}" PARENT_SCOPE)
+endfunction()
+names_of(installed)
+names_of(wanted --data ${SOURCE}/../../data)
+if(NOT installed STREQUAL wanted)
+  message(FATAL_ERROR "installed things:\n${installed}\nwanted:\n${wanted}")
+endif()

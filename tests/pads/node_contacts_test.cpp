@@ -84,7 +84,7 @@ TEST(NodeContacts, KeepTheForcesOfAnAnswer) {
   at.state.normal_force.setConstant(0.3);
   at.state.friction_force.row(0).setConstant(0.1);
   update_contacts(at);
-  for (const NodeContact& c : at.contacts) {
+  for (const SkinNodeContact& c : at.contacts) {
     EXPECT_NEAR(c.normal_force, 0.3, 1e-14);
     EXPECT_NEAR((c.friction_force - Vector3d(0.1, 0, 0)).norm(), 0, 1e-14);
     EXPECT_FALSE(c.slips);

@@ -286,7 +286,7 @@ TEST(TendonModel, NamesTheDigitItHasNot) {
     (void)build_tendon_digit(an_chao_finger(), "ring");
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(), "subject 'an_chao_middle' has no digit 'ring'");
+    EXPECT_STREQ(e.what(), "subject 'an_chao_middle' has no digit 'ring'; there are middle");
   }
 }
 

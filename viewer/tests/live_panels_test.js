@@ -75,7 +75,7 @@ test("a motion says how far it is to be believed", () => {
     unsolved: 0,
   };
   const told = Object.fromEntries(accountFacts(wrong));
-  assert.equal(told["Energy error"], "50 mJ made of nothing, of 100 mJ turned over");
+  assert.equal(told["Energy error"], "50 mJ created, of 100 mJ turned over");
   assert.equal(told["Deepest overlap"], "2\u202fmm");
   assert.equal(told["Limits passed"], "knee by 10\u202f\u00b0, drawer by 40\u202fmm");
   assert.equal(told["Restitution ignored"], "up to 0.8");

@@ -17,7 +17,7 @@ namespace thenar {
 /// and transforms as written (rotations in single precision). Call it once in a process, which
 /// opens no file from then on.
 /// @throws DataError if the file is of another kind, or broken, or if thenar was built without
-/// Coin.
+///         Coin.
 [[nodiscard]] TriangleSoup read_inventor_mesh(const std::string& path);
 
 /// Checks a Collada text for faults on which assimp would not terminate or read out of bounds:

@@ -24,7 +24,7 @@ inline constexpr double kGraspitMoment = 1e-9;  // GraspIt!'s unit of torque [N 
 /// with lengths in mm. The identity if there is none.
 /// @param warnings  gets a line for every other element
 /// @throws DataError if numbers are missing, or a rotation is off by more than 1e-3; smaller errors
-/// are orthogonalised.
+///         are orthogonalised.
 /// Source: [GraspIt] for the format.
 [[nodiscard]] Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                              std::vector<std::string>& warnings);

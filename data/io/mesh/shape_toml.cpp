@@ -108,10 +108,11 @@ Pose<double> read_pose_keys(TomlTable& table) {
   if (std::count(stated.begin(), stated.end(), true) > 1)
     table.fail("wanted one of 'rotation', 'quaternion_wxyz', 'rpy' and 'angle', got several");
   if (rows) X.R = read_rows(table);
-  if (quaternion) X.R = table.quaternion("quaternion_wxyz");
+  if (quaternion) X.R = read_quaternion(table, "quaternion_wxyz");
   if (rpy) X.R = read_rpy(table);
   if (turn)
-    X.R = rotation_about<double>(table.direction("axis"), table.number(Dimension::kAngle, "angle"));
+    X.R = rotation_about<double>(read_direction(table, "axis"),
+                                 table.number(Dimension::kAngle, "angle"));
   return X;
 }
 

@@ -14,7 +14,7 @@ namespace thenar {
 namespace {
 
 TomlTable law_table(TomlTable& top, const std::string& key) {
-  return top.needed_table(key, fmt::format("wanted a table [{}]", key));
+  return needed_table(top, key, fmt::format("wanted a table [{}]", key));
 }
 
 /// A constant of a law: its key without unit, which the file has in SI.

@@ -53,7 +53,7 @@ double read_below(TomlTable& table, const std::string& key, double skin) {
 
 void read_shape(TomlTable& top, PadSpec& pad) {
   TomlTable table =
-      top.needed_table("shape", "wanted [shape], the lengths of skin and bone, got none");
+      needed_table(top, "shape", "wanted [shape], the lengths of skin and bone, got none");
   pad.length = read_length(table, "length");
   pad.width = read_length(table, "width");
   pad.height = read_length(table, "height");
@@ -187,7 +187,7 @@ PadSpec parse_pad(const std::string& text, const std::string& path) {
   read_skin(top, path, pad);
   // Tissues: the pulp, and layers of skin over it.
   TomlTable pulp =
-      top.needed_table("pulp", "wanted [pulp], the tissue between bone and skin, got none");
+      needed_table(top, "pulp", "wanted [pulp], the tissue between bone and skin, got none");
   pad.pulp = read_tissue(pulp, false);
   std::vector<TomlTable> layers = top.tables("layer");
   if (layers.size() > kMaxLayers)

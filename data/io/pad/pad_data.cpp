@@ -39,7 +39,7 @@ PadDataConstant read_constant(TomlTable& table) {
                               : out.constant == "thickness" || out.constant == "bone_height"
                                   ? Dimension::kLength
                                   : Dimension::kNumber;
-  out.start = table.number_if(dimension, "start");
+  out.start = number_if(table, dimension, "start");
   if (out.constant == "share") out.term = count_in(table, "term", 1, 20);
   out.lower_factor = table.number_or(Dimension::kNumber, "lower_factor", 0.01, Range::kPositive);
   out.upper_factor = table.number_or(Dimension::kNumber, "upper_factor", 100, Range::kPositive);
@@ -49,7 +49,7 @@ PadDataConstant read_constant(TomlTable& table) {
   if (out.upper_factor < 1)
     table.fail(fmt::format("wanted 'upper_factor' of 1 and more, got {:g}", out.upper_factor),
                "upper_factor");
-  out.prior_factor = table.number_if(Dimension::kNumber, "prior_factor", Range::kPositive);
+  out.prior_factor = number_if(table, Dimension::kNumber, "prior_factor", Range::kPositive);
   if (out.prior_factor && !(*out.prior_factor > 1))
     table.fail(fmt::format("wanted 'prior_factor' above 1, got {:g}", *out.prior_factor),
                "prior_factor");
@@ -134,7 +134,7 @@ PadDataPress read_press(TomlTable& table) {
     out.ramp = table.number(Dimension::kTime, "ramp", Range::kPositive);
   else if (pace == "relaxed")
     out.ramp = std::numeric_limits<double>::infinity();
-  table.read_each("data", out.rows, read_rows, out.by_force);
+  read_each(table, "data", out.rows, read_rows, out.by_force);
   if (out.rows.empty()) table.fail(fmt::format("press '{}' has no [[press.data]]", out.name));
   return out;
 }
@@ -159,9 +159,9 @@ PadData parse_pad_data(const std::string& text, const std::string& path) {
     out.cells.through = count_in(*cells, "through", out.cells.through, kMaxCells);
     cells->done();
   }
-  top.read_each("constant", out.constants, read_constant);
+  read_each(top, "constant", out.constants, read_constant);
   if (out.constants.empty()) top.fail("a fit needs a [[constant]] that is free");
-  top.read_each("press", out.presses, read_press);
+  read_each(top, "press", out.presses, read_press);
   if (out.presses.empty()) top.fail("a fit needs a [[press]] with data");
   top.done();
   return out;

@@ -32,7 +32,7 @@ struct NamedMeshes {
 /// Reads the mesh of a name in the robot file into `shape`, whose X_BS is the pose of the file's
 /// frame.
 /// @returns false if the file is missing or cannot be read; `warnings` then say that `link` lacks
-/// it.
+///         it.
 [[nodiscard]] bool try_mesh(ShapeSpec& shape, const std::string& name,
                             const MeshPlacement& placement, const NamedMeshes& from,
                             const std::string& link, std::vector<std::string>& warnings);

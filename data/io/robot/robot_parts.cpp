@@ -82,7 +82,7 @@ const Measures& measures_of(bool slides) { return slides ? kSlidingMeasures : kT
 
 Eigen::Vector3d read_unit(TomlTable& table, const std::string& key) {
   const Eigen::Vector3d v = table.vector(Dimension::kNumber, key);
-  return std::abs(v.norm() - 1) <= kUnitTolerance ? v : table.direction(key);
+  return std::abs(v.norm() - 1) <= kUnitTolerance ? v : read_direction(table, key);
 }
 
 RobotLink read_robot_link(TomlTable& table, const std::string& path) {
@@ -94,7 +94,7 @@ RobotLink read_robot_link(TomlTable& table, const std::string& path) {
   link.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
   link.com = table.vector_or(Dimension::kLength, "com", {0, 0, 0});
   link.inertia = read_inertia(table);
-  table.read_each("shape", link.shapes, read_shape_table, path);
+  read_each(table, "shape", link.shapes, read_shape_table, path);
   table.done();
   check_here(table, [&] { check_link(link); });
   return link;
@@ -141,7 +141,7 @@ RobotDof read_robot_dof(TomlTable& table) {
   read_range(table, in.value, dof.lower, dof.upper);
   const double rate = table.number_or(Dimension::kNumber, "rate", 0);
   dof.speed = table.number_or(Dimension::kNumber, "speed", rate);
-  dof.open = table.number_if(in.value, "open");
+  dof.open = number_if(table, in.value, "open");
   dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
   dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);
   dof.stiffness = table.number_or(in.stiffness, "stiffness", 0, Range::kNotNegative);

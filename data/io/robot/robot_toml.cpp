@@ -275,9 +275,9 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   if (top.has("open_loops")) robot.open_loops = top.texts("open_loops");
   // Approach and parts.
   read_approach(top, robot);
-  top.read_each("link", robot.links, internal::read_robot_link, path);
+  read_each(top, "link", robot.links, internal::read_robot_link, path);
   read_dofs(top, robot);
-  top.read_each("joint", robot.joints, internal::read_robot_joint);
+  read_each(top, "joint", robot.joints, internal::read_robot_joint);
   for (TomlTable& table : top.tables("dh_chain"))
     for (RobotJoint& joint : internal::read_robot_dh_chain(table))
       robot.joints.push_back(std::move(joint));

@@ -18,7 +18,7 @@ namespace thenar {
 /// fixed. `warnings` lists what is not read (transmissions, colours, sensors..) or missing (mesh
 /// files).
 /// @throws DataError `path:line: ..` for malformed URDF, and for xacro, which must be expanded
-/// first.
+///         first.
 [[nodiscard]] RobotSpec read_urdf(const std::string& path);
 
 }  // namespace thenar

@@ -201,21 +201,22 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   scene.materials = internal::read_materials_key(top, scene.folder);
   if (top.has("camera")) scene.camera = internal::read_camera(top);
   // Bodies and hands, and what acts on them.
-  top.read_each("hand", scene.hands, read_scene_hand, scene);
-  top.read_each("body", scene.bodies, read_scene_body, scene);
-  top.read_each("force", scene.forces, internal::read_scene_force);
-  top.read_each("drive", scene.drives, internal::read_scene_drive, scene.folder);
+  read_each(top, "hand", scene.hands, read_scene_hand, scene);
+  read_each(top, "body", scene.bodies, read_scene_body, scene);
+  read_each(top, "force", scene.forces, internal::read_scene_force);
+  read_each(top, "drive", scene.drives, internal::read_scene_drive, scene.folder);
   for (const bool tensions : {true, false})
-    top.read_each(tensions ? "tendon" : "muscle", scene.muscles, internal::read_scene_muscle,
-                  tensions, scene.folder);
-  top.read_each("friction", scene.frictions, internal::read_scene_friction);
-  top.read_each("apart", scene.apart, internal::read_scene_apart);
-  top.read_each("compliance", scene.compliances, internal::read_scene_compliance);
-  top.read_each("ligament", scene.ligaments, internal::read_scene_ligament);
-  top.read_each("bushing", scene.bushings, internal::read_scene_bushing);
-  top.read_each("pad", scene.pads, internal::read_scene_pad, scene.folder);
+    read_each(top, tensions ? "tendon" : "muscle", scene.muscles, internal::read_scene_muscle,
+              tensions, scene.folder);
+  read_each(top, "friction", scene.frictions, internal::read_scene_friction);
+  read_each(top, "apart", scene.apart, internal::read_scene_apart);
+  read_each(top, "compliance", scene.compliances, internal::read_scene_compliance);
+  read_each(top, "ligament", scene.ligaments, internal::read_scene_ligament);
+  read_each(top, "bushing", scene.bushings, internal::read_scene_bushing);
+  read_each(top, "pad", scene.pads, internal::read_scene_pad, scene.folder);
   // Time.
-  TomlTable stepping = top.needed_table("stepping", "a scene needs [stepping] with its 'duration'");
+  TomlTable stepping =
+      needed_table(top, "stepping", "a scene needs [stepping] with its 'duration'");
   scene.stepping = internal::read_stepping(stepping);
   top.done();
   check_scene_spec(scene);

@@ -30,7 +30,7 @@ SceneBushingSpec read_scene_bushing(TomlTable& table) {
   out.name = table.text_or("name", "bushing of " + out.to);
   if (out.from == out.to) table.fail(fmt::format("'{}' cannot be held by itself", out.to), "to");
   out.point = table.vector(Dimension::kLength, "point");
-  if (table.has("axis")) out.axis = table.direction("axis");
+  if (table.has("axis")) out.axis = read_direction(table, "axis");
   read_three(table, "translation", 0, out.translation_toe, out);
   read_three(table, "rotation", 3, out.rotation_toe, out);
   if (out.stiffness == std::array<double, 6>{})

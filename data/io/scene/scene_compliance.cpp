@@ -99,7 +99,7 @@ SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   read_group(table, "translation", false, gives, out);
   read_group(table, "rotation", true, gives, out);
   out.twist_toe = read_twist_toe(table, gives, out.rotation_toe);
-  if (table.has("bone")) out.bone = table.direction("bone");
+  if (table.has("bone")) out.bone = read_direction(table, "bone");
   out.stiffening =
       read_stiffening(table,
                       std::isfinite(out.translation_toe) || std::isfinite(out.rotation_toe) ||
@@ -121,7 +121,7 @@ SceneLigamentSpec read_scene_ligament(TomlTable& table) {
   out.from_point = table.vector(Dimension::kLength, "from_point");
   out.to_point = table.vector(Dimension::kLength, "to_point");
   out.stiffness = table.number(Dimension::kForce, "stiffness", Range::kPositive);
-  out.slack_length = table.number_if(Dimension::kLength, "slack_length", Range::kPositive);
+  out.slack_length = number_if(table, Dimension::kLength, "slack_length", Range::kPositive);
   out.toe_strain =
       table.number_or(Dimension::kNumber, "toe_strain", out.toe_strain, Range::kPositive);
   out.damping = table.number_or(Dimension::kTime, "damping", 0, Range::kNotNegative);

@@ -78,7 +78,7 @@ SceneJointSpec read_scene_joint(TomlTable& owner, JointKind kind) {
     table->fail("what is free has no parent", "parent");
   // Each kind has keys of its own.
   const bool moves_along_axis = joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide;
-  if (moves_along_axis) joint.axis = table->direction("axis");
+  if (moves_along_axis) joint.axis = read_direction(*table, "axis");
   if (joint.kind == JointKind::kHinge || joint.kind == JointKind::kBall)
     joint.point = table->vector(Dimension::kLength, "point");
   if (moves_along_axis) read_coordinate(*table, joint);
@@ -139,7 +139,7 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
   drive.damping = table.number_or(units.damping, "damping", 0, Range::kNotNegative);
   drive.target = table.number_or(units.value, "target", 0);
   drive.speed = table.number_or(units.speed, "speed", 0);
-  drive.max_effort = table.number_if(units.effort, "max_effort", Range::kNotNegative);
+  drive.max_effort = number_if(table, units.effort, "max_effort", Range::kNotNegative);
   if (drive.stiffness == 0 && table.has(units.value, "target"))
     table.fail("a 'target' needs a 'stiffness'", "target");
   // A file states the target over time.
@@ -179,10 +179,10 @@ SceneFrictionSpec read_scene_friction(TomlTable& table) {
   SceneFrictionSpec friction;
   friction.line = table.line();
   if (table.has("between")) friction.between = read_between(table);
-  friction.coefficient = table.number_if(Dimension::kNumber, "coefficient", Range::kNotNegative);
+  friction.coefficient = number_if(table, Dimension::kNumber, "coefficient", Range::kNotNegative);
   friction.torsion_radius =
-      table.number_if(Dimension::kLength, "torsion_radius", Range::kNotNegative);
-  friction.restitution = table.number_if(Dimension::kNumber, "restitution", Range::kFraction);
+      number_if(table, Dimension::kLength, "torsion_radius", Range::kNotNegative);
+  friction.restitution = number_if(table, Dimension::kNumber, "restitution", Range::kFraction);
   if (!friction.coefficient && !friction.torsion_radius && !friction.restitution)
     table.fail("[[friction]] needs 'coefficient', 'torsion_radius' or 'restitution'");
   return friction;
@@ -202,7 +202,7 @@ SteppingSpec read_stepping(TomlTable& table) {
                            kMostSamples, stepping.duration, stepping.sample),
                "sample");
   const auto if_stated = [&](Dimension dimension, const char* key) {
-    return table.number_if(dimension, key, Range::kPositive);
+    return number_if(table, dimension, key, Range::kPositive);
   };
   // Each of these belongs to some methods only, and is kept unset if it is not stated.
   stepping.step = if_stated(Dimension::kTime, "step");

@@ -85,12 +85,12 @@ ScenePadSpec read_scene_pad(TomlTable& table, const std::string& folder) {
   const bool placed = table.has(Dimension::kLength, "position");
   if (turned && !placed) table.fail("a pad that is turned needs a 'position'");
   if (placed) out.X_BP = read_pose_keys(table);
-  out.scale = table.number_if(Dimension::kNumber, "scale", Range::kPositive);
+  out.scale = number_if(table, Dimension::kNumber, "scale", Range::kPositive);
   if (out.spec.skin && out.scale && *out.scale != 1)
     table.fail("a pad with a mesh for its skin has no 'scale'", "scale");
   out.force_error =
       table.number_or(Dimension::kNumber, "force_error", out.force_error, Range::kPositive);
-  out.friction = table.number_if(Dimension::kNumber, "friction", Range::kNotNegative);
+  out.friction = number_if(table, Dimension::kNumber, "friction", Range::kNotNegative);
   return out;
 }
 

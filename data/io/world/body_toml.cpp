@@ -83,7 +83,7 @@ BodySpec read_body_keys(TomlTable& table, const std::string& path) {
   if (table.has("source")) body.source = table.source();
   body.material = table.text_or("material", "");
   read_mass_keys(table, body);
-  table.read_each("shape", body.shapes, read_sized_shape, path);
+  read_each(table, "shape", body.shapes, read_sized_shape, path);
   if (body.shapes.empty()) table.fail(fmt::format("body '{}' needs a shape: [[shape]]", body.name));
   return body;
 }

@@ -18,10 +18,10 @@ namespace thenar {
 
 /// Returns a body of one shape.
 /// @param mass      spread evenly over it [kg]; 0: by the density of its material, where that has
-/// one
+///         one
 /// @param material  of built_in_materials() or of a table of the caller's
 /// @throws InputError if a size or the mass is negative or not finite, a mesh is empty, or the name
-/// is.
+///         is.
 [[nodiscard]] BodySpec make_body(std::string name, ShapeSpec shape, double mass = 0,
                                  std::string material = "wood");
 

@@ -95,8 +95,8 @@ WorldSpec parse_world(const std::string& text, const std::string& path,
   world.materials = internal::read_materials_key(top, world.folder);
   // Camera, hands and bodies.
   world.camera = internal::read_camera(top);
-  top.read_each("hand", world.hands, read_hand, world, places);
-  top.read_each("body", world.bodies, read_body, world, path, places);
+  read_each(top, "hand", world.hands, read_hand, world, places);
+  read_each(top, "body", world.bodies, read_body, world, path, places);
   top.done();
   check_names(top, world);
   return world;

@@ -96,8 +96,7 @@ struct WorldSpec {
 /// mass, its density or the density of its material, the first of these that is known. Overlapping
 /// parts count once; union_mass() says when that is exact.
 /// @throws InputError if neither mass nor density is known, with the keys that state them, or if
-/// the
-///         shapes enclose nothing.
+///         the shapes enclose nothing.
 [[nodiscard]] BodyMass body_mass(const BodySpec& body,
                                  const Materials& materials = built_in_materials());
 

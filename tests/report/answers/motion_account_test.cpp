@@ -30,9 +30,9 @@ TEST(MotionAccount, SaysWhetherEnergyWasMadeOrLost) {
   balance.turned_over = 1e-2 - 1e-4;
   balance.t = 0.25;
   EXPECT_EQ(energy_error_words(balance),
-            "1 mJ made of nothing by 0.25 s, 10 % of 9.9 mJ total energy exchanged");
+            "1 mJ created by 0.25 s, 10 % of 9.9 mJ total energy exchanged");
   balance.error = 1e-3;
-  EXPECT_THAT(energy_error_words(balance), HasSubstr("lost to nothing"));
+  EXPECT_THAT(energy_error_words(balance), HasSubstr("unaccounted for"));
 }
 
 TEST(MotionAccount, NamesJointsBeyondTheirLimits) {
@@ -77,7 +77,7 @@ TEST(MotionAccount, RefusesARunWhoseEnergyDoesNotBalance) {
   EXPECT_EQ(refusal_of(scene), "");
   scene.measures.worst->error = -0.02;
   scene.measures.worst->turned_over = 1;
-  EXPECT_THAT(refusal_of(scene), AllOf(HasSubstr("energy does not balance, 20 mJ made of nothing"),
+  EXPECT_THAT(refusal_of(scene), AllOf(HasSubstr("energy does not balance, 20 mJ created"),
                                        HasSubstr("do not use this motion")));
   scene.run.cost.unsolved = 2;
   EXPECT_THAT(refusal_of(scene), AllOf(HasSubstr("energy does not balance"), HasSubstr("2 of ")));

@@ -117,7 +117,7 @@ TEST(NoUTurn, EndsWhereTheEnergyErrorIsLarge) {
   RandomStream random(1, 0, 0);
   const auto trajectory = no_u_turn_trajectory(2, 10);
   trajectory->start(oscillator(), 0.1, random);
-  const Verdict verdict = trajectory->assess_point(kMaxEnergyError + 1, random);
+  const PointVerdict verdict = trajectory->assess_point(kMaxEnergyError + 1, random);
   EXPECT_TRUE(verdict.is_complete);
   EXPECT_FALSE(verdict.is_candidate);
   EXPECT_FALSE(verdict.selects_candidate);

@@ -172,7 +172,7 @@ TreeChoice by_loop(const PhasePoint& from, double step, int max_depth, RandomStr
     leapfrog(moving, trajectory->leapfrog_length());
     const PhasePoint latest = moving;
     ++outcome.leapfrogs;
-    const Verdict verdict = trajectory->assess_point(energy(latest) - start_energy, random);
+    const PointVerdict verdict = trajectory->assess_point(energy(latest) - start_energy, random);
     if (verdict.is_candidate) candidate = latest;
     if (verdict.selects_candidate) outcome.choice = candidate;
     if (verdict.is_complete) break;
@@ -201,7 +201,7 @@ TEST(NoUTurn, EndsWhereTheEnergyErrorIsTooLarge) {
   RandomStream random(1, 0, 0);
   const auto trajectory = no_u_turn_trajectory(2, 10);
   trajectory->start(at({0, 0}, {1, 0}), 0.1, random);
-  const Verdict verdict = trajectory->assess_point(1001, random);
+  const PointVerdict verdict = trajectory->assess_point(1001, random);
   EXPECT_TRUE(verdict.is_complete);
   EXPECT_FALSE(verdict.selects_candidate);
   EXPECT_EQ(trajectory->acceptance(), 0);

@@ -65,7 +65,7 @@ export function accountFacts(state) {
     const [error, all] = [state.energy_error, state.energy_turned_over].map((joule) =>
       formatNumber(Math.abs(joule) * 1e3),
     );
-    const sense = state.energy_error < 0 ? "made of nothing" : "lost to nothing";
+    const sense = state.energy_error < 0 ? "created" : "unaccounted for";
     rows.push(["Energy error", `${error} mJ ${sense}, of ${all} mJ turned over`]);
   }
   if (Number.isFinite(state.deepest))

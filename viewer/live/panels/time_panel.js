@@ -154,7 +154,7 @@ export function makeTimePanel(app) {
     energy.warning,
     inputs.element,
     part("Contacts", contacts),
-    part("How far to believe it", energy.account),
+    part("Reliability", energy.account),
     energies,
   );
   const run = fileRow("Run", (file) => app.ask("motion.record", { file }));
