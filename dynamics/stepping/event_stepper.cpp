@@ -143,7 +143,7 @@ bool EventStepper::find_accepted_length(double& length) {
     if (length > (1 + kLengthRounding) * options_.max_step &&
         max_displacement(trial, length) >= kSearchMargin) {
       ++cost_.rejected;
-      length = control_.cap_at_longest();
+      length = control_.cap_at_max_step();
       continue;
     }
     // Accept a trial without closing gap and with a small error, if its other errors are small too.

@@ -38,7 +38,7 @@ double StepControl::first_trial_length(double t, double wanted) {
   return length;
 }
 
-double StepControl::cap_at_longest() {
+double StepControl::cap_at_max_step() {
   rejected_ = true;
   return options_.max_step;
 }

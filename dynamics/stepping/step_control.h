@@ -30,7 +30,7 @@ class StepControl {
   [[nodiscard]] double shorten_for_elements(double step_error, double length);
   /// Returns the length of the next trial after one longer than SceneOptions::max_step in which
   /// positions moved too far [s].
-  [[nodiscard]] double cap_at_longest();
+  [[nodiscard]] double cap_at_max_step();
   /// Records a rejected trial that cannot be shortened.
   void record_rejection();
   /// Returns the length of the next step after an accepted one [s].
