@@ -60,8 +60,6 @@ class ContactRows {
   [[nodiscard]] ContactBlock make_block(const ActiveContact& contact, double h) const;
   void fill_jacobian(const ActiveContact& contact, ConstraintLaw law, int at,
                      const TreeMotion<double>& links);
-  void add_contact_terms(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
-                         ActiveContact& contact);
 
   const MovingScene& scene_;
   const TreeModel& model_;
