@@ -28,7 +28,7 @@ class CompliantLoop {
   SceneRun run(const Progress& progress) {
     // Sample the initial state, then run the time spans.
     const double start = thread_seconds();
-    contacts_ = motion_.contacts(stored_energy_);
+    contacts_ = motion_.contacts();
     add_sample();
     double from = 0;
     for (std::size_t i = 0; i < stops_.size() && run_.status == SceneStatus::kDone; ++i) {
@@ -71,25 +71,25 @@ class CompliantLoop {
   }
 
   void update_depth() {
-    contacts_ = motion_.contacts(stored_energy_);
-    for (const ContactSample& contact : contacts_)
+    contacts_ = motion_.contacts();
+    for (const ContactSample& contact : contacts_.samples)
       run_.cost.max_penetration = std::max(run_.cost.max_penetration, -contact.gap);
   }
 
   void add_sample() {
     const SceneState& state = motion_.state();
-    run_.samples.push_back({state.t, state.q, state.v, {}, contacts_, energy_.energy(state), {}});
-    run_.samples.back().energy.springs += stored_energy_;
+    run_.samples.push_back(
+        {state.t, state.q, state.v, {}, contacts_.samples, energy_.energy(state), {}});
+    run_.samples.back().energy.springs += contacts_.energy;
     next_sample_ = std::lround(state.t / options_.sample_interval) + 1;
   }
 
   CompliantMotion& motion_;
   ContactStep energy_;
   const SceneOptions& options_;
-  std::vector<double> stops_;            // ends of the time spans [s]
-  std::vector<ContactSample> contacts_;  // contacts in the present state
-  double stored_energy_ = 0;             // energy of their springs [J]
-  long next_sample_ = 0;                 // index of the next sample
+  std::vector<double> stops_;   // ends of the time spans [s]
+  CompliantContacts contacts_;  // contacts in the present state
+  long next_sample_ = 0;        // index of the next sample
   SceneRun run_;
 };
 

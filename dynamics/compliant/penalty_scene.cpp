@@ -14,6 +14,7 @@
 namespace thenar {
 namespace {
 
+using internal::CompliantContacts;
 using internal::CompliantMotion;
 using internal::CompliantStep;
 using internal::StepLimiter;
@@ -104,9 +105,9 @@ class PenaltyMotion : public CompliantMotion {
 
   const SceneState& state() const override { return state_; }
 
-  std::vector<ContactSample> contacts(double& stored) override {
-    std::vector<ContactSample> out;
-    stored = add_loads(state_, &out);
+  CompliantContacts contacts() override {
+    CompliantContacts out;
+    out.energy = add_loads(state_, &out.samples);
     return out;
   }
 

@@ -17,6 +17,7 @@
 namespace thenar {
 namespace {
 
+using internal::CompliantContacts;
 using internal::CompliantMotion;
 using internal::CompliantStep;
 using internal::from_simbody;
@@ -130,18 +131,17 @@ class SimbodyScene {
   }
 
   /// Returns the contacts in a state.
-  /// @param stored  set to the energy of contacts and joint stops [J]
-  std::vector<ContactSample> contacts(const SimTK::State& at, double& stored) const {
+  [[nodiscard]] CompliantContacts contacts(const SimTK::State& at) const {
     bodies.system().realize(at, SimTK::Stage::Dynamics);
-    std::vector<ContactSample> out;
-    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out);
+    CompliantContacts out;
+    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out.samples);
     // Energy of contacts and limits: all but gravity and the joint springs.
-    stored = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
+    out.energy = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
       if (!is_scalar(joint.kind) || joint.stiffness == 0) continue;
       const double stretch = body_of(bodies, i).getOneQ(at, 0) - joint.rest;
-      stored -= 0.5 * joint.stiffness * stretch * stretch;
+      out.energy -= 0.5 * joint.stiffness * stretch * stretch;
     }
     return out;
   }
@@ -342,8 +342,7 @@ class SimbodyMotion : public CompliantMotion {
     state_.q = scene.q;
     state_.v = scene.v;
     // Evaluate the initial contacts, so that Simbody refuses what it cannot compute.
-    double stored = 0;
-    (void)world_.contacts(world_.state_of(state_), stored);
+    (void)world_.contacts(world_.state_of(state_));
   }
 
   void begin_span(double instant) override {
@@ -389,8 +388,8 @@ class SimbodyMotion : public CompliantMotion {
 
   const SceneState& state() const override { return state_; }
 
-  std::vector<ContactSample> contacts(double& stored) override {
-    return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_), stored);
+  CompliantContacts contacts() override {
+    return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_));
   }
 
   long evaluations() const override { return evaluations_ + integrator_->getNumRealizations(); }
