@@ -68,7 +68,6 @@ double PadElement::equivalent_force(const Vector6& change) const {
 
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
   Prediction out;
-  out.push.setZero();
   out.allowed_error =
       options_.force_error * std::max(kept_.contact.push.force.norm(), options_.min_force);
   if (kept_.contact.force <= 0) return out;
