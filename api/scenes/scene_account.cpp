@@ -23,8 +23,8 @@ std::string energy_error_words(const FlowBalance& balance) {
 }
 
 std::string beyond_words(const PassedLimit& limit) {
-  return limit.slides ? fmt::format("{:.3g} mm", limit.beyond / kMm)
-                      : fmt::format("{:.3g} deg", limit.beyond / kDegree);
+  return limit.slides ? fmt::format("{:.3g} mm", limit.excess / kMm)
+                      : fmt::format("{:.3g} deg", limit.excess / kDegree);
 }
 
 std::vector<PassedLimit> limits_passed(const SceneResult& scene) {

@@ -499,7 +499,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
   std::vector<double> beyond, slides;
   for (const PassedLimit& limit : limits_passed(scene)) {
     names.push_back(limit.joint);
-    beyond.push_back(limit.beyond);
+    beyond.push_back(limit.excess);
     slides.push_back(limit.slides ? 1 : 0);
   }
   if (names.empty()) return;

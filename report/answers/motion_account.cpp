@@ -27,7 +27,7 @@ std::string limits_words(const std::vector<PassedLimit>& limits) {
 std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
   return fields_of_each(limits, [](const PassedLimit& limit) {
     return Fields{{"joint", limit.joint},
-                  {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}};
+                  {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.excess}};
   });
 }
 

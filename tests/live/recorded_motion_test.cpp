@@ -87,7 +87,7 @@ TEST_F(RecordedRunFile, HoldsTheLimitsThatJointsWentBeyond) {
             passed_limits(run.built->scene.mechanism, run.run.cost.limit_excess).size());
   ASSERT_EQ(got.limits.size(), 1U);
   EXPECT_EQ(got.limits[0].joint, run.built->scene.mechanism.joints[0].name);
-  EXPECT_EQ(got.limits[0].beyond, 0.25);
+  EXPECT_EQ(got.limits[0].excess, 0.25);
 }
 
 // Files of before 0.2 name no rung of tendon paths: they were straight.

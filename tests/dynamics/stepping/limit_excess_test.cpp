@@ -35,7 +35,7 @@ TEST(LimitExcess, KeepsTheFarthestOfEachJoint) {
   ASSERT_EQ(passed.size(), 1U);
   EXPECT_EQ(passed[0].joint, mechanism.joints[0].name);
   EXPECT_TRUE(passed[0].slides);
-  EXPECT_NEAR(passed[0].beyond, 0.04, 1e-15);
+  EXPECT_NEAR(passed[0].excess, 0.04, 1e-15);
 }
 
 TEST(LimitExcess, JoinsWhatTwoPartsOfARunKept) {
