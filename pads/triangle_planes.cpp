@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/lists.h"
-
 namespace thenar::internal {
 namespace {
 
@@ -48,7 +46,7 @@ double area_share(const TrianglePart& part) {
 void TrianglePlanes::reset(const std::array<TrianglePlane, 3>& corner_planes) {
   planes_.clear();
   for (const TrianglePlane& plane : corner_planes) {
-    const bool known = any_of(planes_, [&](const TrianglePlane& other) {
+    const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const TrianglePlane& other) {
       return (other.normal - plane.normal).norm() < kSamePlaneTolerance;
     });
     if (!known) planes_.push_back(plane);

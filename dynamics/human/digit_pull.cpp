@@ -8,7 +8,6 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
-#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -430,7 +429,7 @@ bool DigitPull::may_start_motion(const ElementInput& at) const {
       return true;
   if (muscles_.contracting.empty()) return false;
   const PullValues& values = evaluate(at, ElementNeed::kRates);
-  return any_of(muscles_.contracting, [&](int m) {
+  return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {
     const double rate =
         activation_rate(values.excitation[m], values.state.activation[m], model_->activation).rate;
     const double fibre = muscles_.has_fibre

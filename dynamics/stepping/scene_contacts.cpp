@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/lists.h"
 #include "dynamics/stepping/meeting_pairs.h"
 
 namespace thenar {
@@ -111,7 +110,7 @@ double SceneContacts::max_displacement(std::size_t i) const {
 /// Returns true if two collision bodies have a closed contact.
 bool SceneContacts::are_pressed(const std::vector<ActiveContact>& touching, std::size_t i,
                                 std::size_t j) const {
-  return any_of(touching, [&](const ActiveContact& contact) {
+  return std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& contact) {
     return contact.kind == Kind::kContact && contact.a == body_of_[i] && contact.b == body_of_[j] &&
            contact.mode != ContactMode::kOpen;
   });

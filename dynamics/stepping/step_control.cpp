@@ -61,8 +61,8 @@ double StepControl::shorten_after_rejection(StepTrials& trials, double t, double
   if (trial.closing_time >= 0 && trial.closing_time > options_.min_step) {
     // End at the instant at which the gap closes.
     length = std::min(trial.closing_time, kClosingRatio * length);
-  } else if (trials.verdict() == Extrapolation::Verdict::kReject) {
-    length = trials.plan_next(length, max_length_);
+  } else if (trials.extrapolation().verdict() == Extrapolation::Verdict::kReject) {
+    length = trials.extrapolation().plan_next(length, max_length_);
   } else if (trial.is_smooth && std::isfinite(trial.error)) {
     // Scale by the error and its order in the length.
     length *= std::clamp(kSafety * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
@@ -99,8 +99,8 @@ double StepControl::next_step_length(StepTrials& trials, double length) {
 double StepControl::length_by_error(StepTrials& trials, double length) {
   const StepTrial& trial = trials.result();
   if (!trial.is_smooth) return length * (rejected_ ? 1 : kModeChangeGrowth);
-  const double next = trials.verdict() == Extrapolation::Verdict::kAccept
-                          ? trials.plan_next(length, max_length_)
+  const double next = trials.extrapolation().verdict() == Extrapolation::Verdict::kAccept
+                          ? trials.extrapolation().plan_next(length, max_length_)
                           : length * free_growth(trial);
   return rejected_ ? std::min(next, length) : next;
 }

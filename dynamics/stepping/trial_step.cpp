@@ -25,13 +25,13 @@ StepTrials::StepTrials(ContactStep& step, const SceneOptions& options, ProblemCo
       options_(options),
       counts_(counts),
       free_(step),
-      columns_(like, options.columns) {
+      extrapolation_(like, options.columns) {
   for (StepTrial& column : table_) column.state = like;
 }
 
 void StepTrials::try_step(const Beginning& from, double length) {
   checked_end_ = false;
-  columns_.restart();
+  extrapolation_.restart();
   counts_.clear();
   step_.select_active_forces(from.state.t);
   if (from.closed.empty() && !step_.is_stiff(from.state, length))
@@ -64,15 +64,16 @@ void StepTrials::try_step(const Beginning& from, double length) {
 /// accepted or rejected; it then holds the extrapolated state
 bool StepTrials::extrapolate_column(StepTrial& column, int n) {
   // Estimate the error by the difference of the two highest orders.
-  columns_.add_column(column.state, n);
+  extrapolation_.add_column(column.state, n);
   if (n < 2) return false;
   const double ratio = std::max(kOrderRatio, std::min(1.0, kOrderRounding / options_.tolerance));
-  column.error =
-      scaled_difference(columns_.highest_order(), columns_.lower_order(), kSpeedErrorTime) / ratio;
-  if (!columns_.judge(column.error)) return false;
+  column.error = scaled_difference(extrapolation_.highest_order(), extrapolation_.lower_order(),
+                                   kSpeedErrorTime) /
+                 ratio;
+  if (!extrapolation_.judge(column.error)) return false;
   // Store the extrapolated state in the column.
   column.order = n;
-  column.state = columns_.highest_order();
+  column.state = extrapolation_.highest_order();
   step_.normalise_quaternions(column.state.q);
   return true;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "dynamics/stepping/contact_step.h"
@@ -77,18 +76,14 @@ class StepTrials {
     double impulse_time;                       // time over which their impulses acted [s]
   };
   /// Integrates one trial; stops early at a closing gap or an overflow. Sets result() and
-  /// verdict().
+  /// extrapolation().
   /// @param length  [s]
   void try_step(const Beginning& from, double length);
 
   [[nodiscard]] StepTrial& result() { return table_[result_]; }
-  /// Returns the verdict of Extrapolation on the last column; empty: it gave none.
-  [[nodiscard]] std::optional<Extrapolation::Verdict> verdict() const { return columns_.verdict(); }
-  /// Returns the length that Extrapolation proposes for the next step or trial [s]. Call it at most
-  /// once for each trial, after a verdict.
-  [[nodiscard]] double plan_next(double length, double max_length) {
-    return columns_.plan_next(length, max_length);
-  }
+  /// Returns the extrapolation of the last trial: its verdict, if it gave one, and its proposal for
+  /// the length of the next step or trial.
+  [[nodiscard]] Extrapolation& extrapolation() { return extrapolation_; }
   /// Finds the contacts at the end of the result, unless try_step() has done so.
   void find_end_contacts();
   /// Returns these contacts.
@@ -117,7 +112,7 @@ class StepTrials {
   SceneState middle_;                            // workspace of check_middle()
   StepOutcome outcome_;
   FreeStep free_;
-  Extrapolation columns_;
+  Extrapolation extrapolation_;
 };
 
 }  // namespace thenar
