@@ -330,8 +330,7 @@ class PointSums {
         dilatation_(dilatation),
         with_force_(request != ElementRequest::kEnergy),
         with_stiffness_(request == ElementRequest::kStiffness),
-        now_(at.step != nullptr ? at.step->now : 1),
-        relaxes_(at.step != nullptr && !at.step->decay.empty()),
+        relaxes_(!at.step->decay.empty()),
         out_(out) {
     // Reset the requested results; give the padding points zero weight.
     out.energy = dilatation.energy();
@@ -348,7 +347,7 @@ class PointSums {
     const Matrix3d F = deformation_at(points_, kPoints, static_cast<int>(q));
     const double w = at_.shape.volume[q];
     isochoric_response(at_.tissue, F, with_stiffness_, iso_);
-    out_.energy += w * now_ * iso_.energy;
+    out_.energy += w * at_.step->now * iso_.energy;
     // Add the energy of the history, which is linear in C.
     Voigt past = Voigt::Zero();
     if (relaxes_) {
@@ -396,12 +395,12 @@ class PointSums {
       out_.elastic[q] = voigt_of(inverse * tensor_of(iso_.stress) * inverse.transpose());
     }
     // Sum the isochoric part, the history pushed forward, and the pressure.
-    Voigt tau = now_ * iso_.stress;
+    Voigt tau = at_.step->now * iso_.stress;
     if (relaxes_) tau += voigt_of(F * tensor_of(past) * F.transpose());
     tau.head<3>().array() += dilatation_.pressure(q) * J;
     // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
     if (with_stiffness_) {
-      iso_.tangent *= now_;
+      iso_.tangent *= at_.step->now;
       const double tangent_pJ = dilatation_.tangent_pressure(q) * J;
       add_pressure_tangent(tangent_pJ + dilatation_.own_stiffness(q, J), tangent_pJ, iso_.tangent);
       more_[q] = w * (tangent_pJ - dilatation_.pressure(q) * J);
@@ -414,7 +413,6 @@ class PointSums {
   const PointKinematics& points_;
   const Dilatation<N>& dilatation_;
   bool with_force_, with_stiffness_;
-  double now_;    // weight of the elastic stress in this step [1]
   bool relaxes_;  // the tissue has a history
   ElementResponse& out_;
   IsochoricResponse iso_;  // response of the present point

@@ -83,10 +83,11 @@ struct DeformedElement {
   HexElement kind;
   const ElementShape& shape;
   const Tissue& tissue;
-  const Eigen::Matrix3Xd& u;                // displacements [m] (3, nodes)
-  const MemoryStep* step = nullptr;         // weights of relaxation for this step; null: elastic
-  const ElementHistory* history = nullptr;  // relaxation state at the end of the last step; unused
-                                            // if `step` is null
+  const Eigen::Matrix3Xd& u;  // displacements [m] (3, nodes)
+  // Weights of relaxation for this step, and relaxation state at the end of the last one. Null
+  // only in calls of linear_pressure().
+  const MemoryStep* step = nullptr;
+  const ElementHistory* history = nullptr;
   // Pressure in the stiffness, coefficients of its modes [Pa] (4); null: the pressure at u. With
   // that of linear_pressure(), Newton's method is that of the mixed problem, in which pressure is
   // an unknown: a step far from equilibrium then avoids pressures of bulk modulus times its

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -31,16 +30,9 @@ Extrapolation::Extrapolation(const SceneState& like, int max_columns)
   rows_.fill(like);
 }
 
-void Extrapolation::restart() {
-  columns_ = 0;
-  verdict_.reset();
-  errors_.fill(kInfinity);
-}
-
 void Extrapolation::add_column(const SceneState& column, int substeps) {
   require(substeps == columns_ + 1 && substeps <= max_columns_ && !verdict_,
-          "column {} of {} cannot have {} substeps, or the step is decided", columns_ + 1,
-          max_columns_, substeps);
+          "no column of {} substeps follows {} columns of this step", substeps, columns_);
   ++columns_;
   SceneState& last = rows_[index(columns_ - 1)];
   last = column;

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/numbers.h"
 #include "dynamics/stepping/contact_step.h"
 
 namespace thenar {
@@ -34,7 +35,7 @@ class Extrapolation {
   Extrapolation(const SceneState& like, int max_columns);
 
   /// Starts a new step or trial: discards columns, their errors and the verdict.
-  void restart();
+  void restart() { columns_ = 0, verdict_.reset(), errors_.fill(kInfinity); }
   /// Adds the state at the end of the next column and extrapolates.
   /// @param substeps  number of substeps of the column: column_count() + 1
   void add_column(const SceneState& column, int substeps);
