@@ -22,7 +22,7 @@ struct ContactQualityRequest {
   int line = 1;                     // number of the first line of `text`, for messages
   std::string data;                 // folder with contacts/; empty: the usual ones
   ForceNorm norm = ForceNorm::kL1;  // norm that limits all contact forces together
-  double gap = 1e-3;                // relative gap between the bounds of epsilon, > 0 [1]
+  double gap = 1e-3;                // maximum of upper - lower for unit contact forces, > 0 [1]
   int edges = 0;                    // edges of friction pyramids, 3 to 1000; 0: the true cones
   double first_edge = 0;  // angle of the first edge about the normal, from the first tangent [rad]
   bool volume = true;     // compute the volume, which takes 80 to 5,000 times as long as epsilon

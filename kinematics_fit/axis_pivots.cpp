@@ -47,7 +47,6 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
   const std::set<std::string> moved = moved_by(subject, joint);
   double lowest = HUGE_VAL, highest = -HUGE_VAL;
   for (const Strand& strand : subject.strands) {
-    // Points of the path, without the surfaces between them.
     // Visit the points of the path, without the surfaces between them.
     const PathPoint* before = nullptr;
     for (const PathPoint& point : strand.path) {

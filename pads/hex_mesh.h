@@ -77,7 +77,8 @@ class HexMesh {
   [[nodiscard]] const Eigen::Vector3d& place(int node) const { return places_[node]; }
   /// Returns the position of a node in the chart (3).
   [[nodiscard]] const Eigen::Vector3d& chart_point(int node) const { return chart_points_[node]; }
-  /// Returns the nodes whose mean a hanging node is, none of which hangs; empty: it does not hang.
+  /// Returns the non-hanging masters whose mean defines a hanging node; empty: the node does not
+  /// hang.
   [[nodiscard]] const std::vector<NodeWeight>& masters(int node) const { return masters_[node]; }
   /// Returns the masters of a hanging node, or any other node itself with weight 1.
   [[nodiscard]] std::vector<NodeWeight> support(int node) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/spatial.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -223,8 +224,8 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
   // Collect the columns in matrices.
   FoundationColumns out;
   const auto count = static_cast<Eigen::Index>(skin.size());
-  out.skin = Eigen::Map<const Eigen::Matrix3Xd>(skin[0].data(), 3, count);
-  out.normal = Eigen::Map<const Eigen::Matrix3Xd>(normal[0].data(), 3, count);
+  out.skin = as_columns(skin);
+  out.normal = as_columns(normal);
   out.thickness = Eigen::Map<const Eigen::VectorXd>(thickness.data(), count);
   out.area = Eigen::Map<const Eigen::VectorXd>(area.data(), count);
   return out;

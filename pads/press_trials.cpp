@@ -50,11 +50,7 @@ bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
 
 /// Returns a pose whose z axis is `z`, at a distance from the origin opposite to `along`.
 Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
-  Pose<double> X;
-  const Tangents t = tangents(z);
-  X.R << t.e1, t.e2, z;
-  X.p = -distance * along;
-  return X;
+  return frame_with_z(z, -distance * along);
 }
 
 /// Presses the pad in one trial, depth by depth.
@@ -74,8 +70,10 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     goal.X_PO.p = touch + depth * trial.along;
     // Press to the depth; a press that fails ends the trial.
     const PadPressResult result = press.step(goal);
-    if (result.solved.status == Status::kStopped) out.status = Status::kStopped;
-    if (out.status == Status::kStopped) return;
+    if (result.solved.status == Status::kStopped) {
+      out.status = Status::kStopped;
+      return;
+    }
     if (result.solved.status != Status::kSolved) {
       out.failures.push_back(
           fmt::format("{}, {:g} mm: {}{}", trial.name, depth / kMm, result.solved.message,

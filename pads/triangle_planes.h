@@ -16,8 +16,11 @@ struct TrianglePart {
   std::array<Eigen::Vector3d, 16> corners;  // barycentric coordinates of the corners [1]: 3, and at
                                             // most one more for each of 8 planes
   std::size_t size = 0;                     // number of corners
-  /// Appends a corner. @throws std::out_of_range if there are 16
-  void add(const Eigen::Vector3d& p) { corners.at(size++) = p; }
+  /// Appends a corner; ignores it if there are 16. By rounding a plane may cross the boundary of a
+  /// sliver more than twice, whose further corners make no difference.
+  void add(const Eigen::Vector3d& p) {
+    if (size < corners.size()) corners[size++] = p;
+  }
 };
 
 [[nodiscard]] TrianglePart whole_triangle();

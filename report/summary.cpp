@@ -15,7 +15,7 @@ namespace thenar {
 namespace {
 
 std::string summary(const Subject& subject) {
-  const std::vector<std::string> digits = transformed(subject.digits, &Digit::name);
+  const std::vector<std::string> digits = names_of(subject.digits);
   std::string text = fmt::format(
       "subject '{}': {}, {}, {}, {}", subject.name, counted(subject.segments.size(), "segment"),
       counted(subject.joints.size(), "joint"), counted(subject.muscles.size(), "muscle"),
@@ -90,8 +90,7 @@ std::string summary(const WorldSpec& world) {
   std::size_t objects = 0;
   for (const PlacedBody& placed : world.bodies) objects += placed.dynamic ? 1 : 0;
   return fmt::format("world '{}': {} ({}), {}, {}", world.name, counted(world.hands.size(), "hand"),
-                     listed(transformed(world.hands, &PlacedHand::name)),
-                     counted(objects, "object"),
+                     listed(names_of(world.hands)), counted(objects, "object"),
                      counted(world.bodies.size() - objects, "obstacle"));
 }
 

@@ -28,9 +28,8 @@ bool MethodTable::has_method(const std::string& name) const {
 
 const RpcMethod& MethodTable::method_named(const std::string& name) const {
   if (const RpcMethod* found = find_named(methods_, name)) return *found;
-  const auto names = transformed(methods_, [](const RpcMethod& method) { return method.name; });
   throw InputError(fmt::format("no method '{}'{} session.methods lists all", name,
-                               hint_before_list(name, names)));
+                               hint_before_list(name, names_of(methods_))));
 }
 
 }  // namespace thenar

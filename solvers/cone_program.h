@@ -53,8 +53,8 @@ struct [[nodiscard]] ConeResult {
 /// Nesterov-Todd scaling and Mehrotra's corrector. Equalities, including redundant ones, are
 /// eliminated first. Directions on which neither cones nor equalities depend are removed, or prove
 /// unboundedness. Iterative refinement of the Newton steps lets programs with many contacts on one
-/// face reach `tolerance`, too. If 12 iterations bring no improvement, the best iterate is returned
-/// if `acceptable_tolerance`.
+/// face reach `tolerance`, too. If 12 iterations bring no improvement, the best iterate or
+/// certificate is accepted if it is within `acceptable_tolerance`.
 ///
 /// @throws InputError if shapes disagree or an entry is not finite.
 /// Source: [Andersen2003] for the method, [Vandenberghe2010] for its linear algebra.

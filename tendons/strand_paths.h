@@ -23,7 +23,7 @@ struct [[nodiscard]] StrandDerivatives {
   bool exist = true;       // false: a strand is not differentiable here
   Eigen::MatrixXd R;       // moment arms, as in StrandArms
   Eigen::VectorXd length;  // strand lengths [m] (strands); -R q where arms are constant
-  /// D R_j/d q_k, one matrix (coordinates, coordinates) per strand [m/rad^2] (strands).
+  /// Derivatives d R_j/d q_k, one matrix (coordinates, coordinates) per strand [m/rad^2] (strands).
   std::vector<Eigen::MatrixXd> dR;
 };
 

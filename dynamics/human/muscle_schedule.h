@@ -14,7 +14,7 @@
 namespace thenar {
 
 /// Tension or excitation of one muscle over time: linear between knots, constant before the first
-/// and after the last. Two knots at one time are a jump.
+/// and after the last. Two knots at one time define a jump.
 struct MuscleSchedule {
   int muscle = 0;         // index in the group
   TimeSpan when{};        // time span in which the schedule acts
@@ -32,7 +32,7 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules,
                      const std::vector<std::string>& muscles, double max_value,
                      const std::string& owner, const char* what);
 
-/// Linear piece of a schedule. It is constant before its begin and after its end, where trial steps
+/// Linear piece of a schedule. It is constant before its start and after its end, where trial steps
 /// may evaluate it.
 struct SchedulePiece {
   double begin = 0, end = std::numeric_limits<double>::infinity();  // time span [s]

@@ -52,12 +52,12 @@ struct MechanismJoint {
   double friction = 0;   // largest effort of dry friction [N m] or [N]
 };
 
-/// Rigid body.
 /// Returns true if a joint is a hinge or slide that a coordinate moves.
 [[nodiscard]] inline bool is_moved_by(const MechanismJoint& joint, int coordinate) {
   return is_scalar(joint.kind) && joint.coordinate == coordinate;
 }
 
+/// Rigid body.
 struct MechanismBody {
   std::string name;
   BodyMass mass{0, {0, 0, 0}, Eigen::Matrix3d::Zero()};  // mass and inertia, body's frame

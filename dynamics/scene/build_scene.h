@@ -29,9 +29,9 @@ using SceneHand = std::variant<RobotSpec, HumanModel>;
 
 /// Builds a scene in its initial state.
 ///
-/// Joints. Bodies start at the pose that the file states: with the frame A whose z is the joint
-/// axis and the initial value s,  F = A motion(-s),  M = A.  A motor that is not backdrivable and
-/// has no drive is welded.
+/// Joints. Bodies start at the pose that the file states. Let A be the frame whose z is the joint
+/// axis, and s the initial value. The joint then has the frames  F = A motion(-s)  in the parent
+/// and  M = A  in the body. A motor that is not backdrivable and has no drive is welded.
 ///
 /// Names. Links of a hand are named HAND/LINK, its coordinates HAND/MOTOR, or HAND/JOINT for joints
 /// without a motor and for human hands; a moving base has the coordinate HAND/base.

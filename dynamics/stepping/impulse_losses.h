@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Rule for which work of impulses is booked.
+/// Selects which impulse work is recorded as a loss.
 enum class ImpulseBooking {
   kNet,    // all work, also where it adds energy: for substeps that are extrapolated
   kLosses  // only dissipated energy; energy that impulses add is left out

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/lists.h"
 #include "contact/contact_solver.h"
 #include "dynamics/stepping/energy_flow.h"
 #include "dynamics/stepping/moving_scene.h"
@@ -66,9 +67,7 @@ struct ActiveContact {
 /// Returns the same contact in a list; null: there is none.
 [[nodiscard]] inline const ActiveContact* find_contact(const std::vector<ActiveContact>& list,
                                                        const ActiveContact& contact) {
-  for (const ActiveContact& each : list)
-    if (each.is_same_contact(contact)) return &each;
-  return nullptr;
+  return find_where(list, [&](const ActiveContact& each) { return each.is_same_contact(contact); });
 }
 
 }  // namespace thenar

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "dynamics/stepping/limit_excess.h"
 
@@ -123,9 +124,9 @@ double SceneStepper::max_effort(int coordinate) const {
 }
 
 const SceneDrive* SceneStepper::first_stiff_drive(int coordinate) const {
-  for (const SceneDrive& drive : scene_drives_)
-    if (drive.coordinate == coordinate && drive.stiffness > 0) return &drive;
-  return nullptr;
+  return find_where(scene_drives_, [&](const SceneDrive& drive) {
+    return drive.coordinate == coordinate && drive.stiffness > 0;
+  });
 }
 
 void SceneStepper::set_effort(int coordinate, double effort) {

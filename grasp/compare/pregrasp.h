@@ -41,7 +41,7 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const G
 /// Runs grasp(), and centres a free object between coupled jaws: it slides until the second jaw
 /// touches.
 ///
-/// Centring is tried if a single digit touches, and the coordinate that stopped it also moves other
+/// Centring is tried if a single digit touches, and the coordinate that it stopped also moves other
 /// digits, which do not touch. The object then slides in front of the digit, across the approach,
 /// until another digit touches. The implementation moves the hand instead, by half of the remaining
 /// distance, as jaws of one motor move equally fast, and continues closing; on curved paths it

@@ -34,7 +34,7 @@ Matrix3Xd from_link_frames(const Net& net, const TreeState<double>& state, const
 }
 
 /// Returns the places of nodes in coordinates of their links [m] (3, nodes): the inverse of
-/// carried().
+/// from_link_frames().
 Matrix3Xd to_link_frames(const Net& net, const TreeState<double>& state, const Matrix3Xd& x) {
   Matrix3Xd at(3, x.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i) {

@@ -51,7 +51,7 @@ class MovingPad {
   /// Returns the derivative of the object's wrench with respect to an instantaneous motion from the
   /// kept pose: moment and rotation first, about the pad's origin (6, 6). Sticking parts resist,
   /// slipping parts do not. The default takes differences of try_step() over a micrometre, and over
-  /// an angle that moves a lever of 10 mm as far.
+  /// the angle that moves a point at 10 mm by the same distance.
   /// @param onward  signs of the differences, chosen along the object's motion, because slipping
   ///                parts would stick on reversal (6)
   [[nodiscard]] virtual Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward);

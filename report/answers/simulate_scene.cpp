@@ -362,7 +362,7 @@ Fields fields_of(const SceneSweepResult& sweep) {
 
 Table table_of(const SceneSweepResult& sweep) {
   Table table{row(
-      {transformed(sweep.request.vary, &SceneVariation::name),
+      {names_of(sweep.request.vary),
        {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
         "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"}})};
   for (const SceneResult& scene : sweep.runs) {

@@ -204,9 +204,9 @@ std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
 
 std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
   if (loaded.net() == nullptr) return {};
-  std::vector<SweepColumn> columns = columns_of(
-      "tension_", transformed(loaded.net()->net().net.bands, &NetBand::name), units::kNewton,
-      [](const DigitPoint& p, Eigen::Index k) { return p.rest.tension[k]; });
+  std::vector<SweepColumn> columns =
+      columns_of("tension_", names_of(loaded.net()->net().net.bands), units::kNewton,
+                 [](const DigitPoint& p, Eigen::Index k) { return p.rest.tension[k]; });
   columns.insert(columns.begin(),
                  {"residual", units::kNewton, [](const DigitPoint& p) { return p.rest.residual; }});
   return columns;

@@ -43,8 +43,8 @@ struct MaxTipLoad {
   MaxTipForce largest;            // maximised load; its check uses the balance below
   Eigen::Vector3d other;          // the other load, world frame [N m] or [N] (3)
   Eigen::VectorXd stop_torque{};  // torque of each stop, positive flexes [N m] (stops)
-  /// D component / d |max_torque| of each stop as it grows, 0: not limiting; empty: not requested,
-  /// or not verified [N/(N m)] (stops).
+  /// Derivative of the component by |max_torque| of each stop as it grows, 0: not limiting; empty:
+  /// not requested, or not verified [N/(N m)] (stops).
   Eigen::VectorXd stop_price{};
 };
 

@@ -312,7 +312,7 @@ BuiltNet cut(const BuiltNet& built, const std::string& band) {
 int band_index(const Net& net, const std::string& name) {
   const int found = place_named(net.bands, name);
   require(found >= 0, "net '{}' has no band '{}'; there are {}", net.name, name,
-          fmt::join(transformed(net.bands, [](const NetBand& band) { return band.name; }), ", "));
+          fmt::join(names_of(net.bands), ", "));
   return found;
 }
 

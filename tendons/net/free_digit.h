@@ -9,7 +9,7 @@ namespace thenar {
 
 /// Builds the digit with every joint free, on which a net is built: separate tendons, straight
 /// between their points, of muscles that cross joints of the digit itself. Joints that digits share
-/// are welded at the reference posture if they belong to `digit`.
+/// stay welded at the reference posture if they are welded there in `digit`.
 [[nodiscard]] TendonDigit free_digit(const Subject& subject, const TendonDigit& digit);
 
 /// Transfers a net from a digit with all joints free to the same digit with frozen joints, where

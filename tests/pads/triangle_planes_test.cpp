@@ -21,6 +21,13 @@ TEST(TrianglePart, BeyondTheMiddlesOfTwoSidesIsAQuarter) {
   EXPECT_NEAR(area_share(clipped(whole_triangle(), Vector3d(-1, 1, 1))), 0.75, kRounded);
 }
 
+// The array has 16 corners.
+TEST(TrianglePart, IgnoresCornersThatItHasNoSpaceFor) {
+  TrianglePart part;
+  for (int i = 0; i < 20; ++i) part.add(Vector3d::Unit(i % 3));
+  EXPECT_EQ(part.size, 16U);
+}
+
 // The mean square of a barycentric coordinate over a triangle is 1/6.
 TEST(TrianglePart, SumsProductsOfLinearFunctionsExactly) {
   double sum = 0;

@@ -25,9 +25,8 @@ void repair_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
 void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
                  std::vector<std::string>& warnings);
 
-/// Checks that a mesh bounds a solid (solid_parts()). @throws InputError with its file and its
-/// holes otherwise.
-/// @throws InputError
+/// Checks that a mesh bounds a solid (solid_parts()).
+/// @throws InputError with its file and its holes otherwise.
 void require_solid(const ShapeSpec& shape, const std::string& owner);
 
 }  // namespace thenar

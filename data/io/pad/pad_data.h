@@ -15,7 +15,7 @@ struct PadDataConstant {
   std::string constant;  // "shear_modulus", "exponent", "poisson_ratio", "share", "thickness",
                          // "bone_height"
   int term = 1;          // term of the relaxation, from 1; for "share"
-  std::optional<double> start;  // start of the search and mean of the prior [Pa], [m] or
+  std::optional<double> start;  // start of the search and median of the prior [Pa], [m] or
                                 // [1]; empty: the pad's own
   double lower_factor = 0.01, upper_factor = 100;  // bounds over the start [1]
   std::optional<double> prior_factor;              // one sd of the prior as a factor, > 1 [1]
