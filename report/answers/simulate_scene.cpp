@@ -144,7 +144,7 @@ OrderedJson passive_moments(const SceneResult& scene) {
     const auto* stops = dynamic_cast<const JointStops*>(element.get());
     if (stops == nullptr) continue;
     for (std::size_t i = 0; i < stops->ranges().size(); ++i) {
-      const int place = stops->places().q[i];
+      const int place = stops->indices().q[i];
       const int c = place_in(layout.coordinate_q, place);
       // Add the linear part, which the mechanism has as springs.
       double moment = passive_moment(stops->ranges()[i], q[place]);
