@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "dynamics/stepping/energy_flow.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
 namespace thenar {
