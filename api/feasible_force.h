@@ -60,7 +60,8 @@ struct ForceAxes {
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();  // columns: the axes, world frame (3, 3)
 };
 
-/// All forces, and the largest force along each axis; or moments, where [N] reads [N m].
+/// All forces, and the largest force along each axis. If moments are requested, all numbers that
+/// are stated in [N] are moments [N m].
 struct WholeForceSet {
   FeasibleForceSet set;
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
@@ -78,8 +79,8 @@ struct StopTorque {
   std::string joint;
   double torque;      // positive flexes [N m]
   double max_torque;  // largest torque, with the same sign; may be infinite [N m]
-  double
-      price;  // marginal value of `max_torque`: rise of the force per N m [N/(N m)]; NaN: not known
+  double price;       // marginal value of `max_torque`: rise of the force [N/(N m)] or moment [1]
+                      // per N m; NaN: not known
 };
 
 /// Result at one posture.
@@ -92,11 +93,12 @@ struct FeasibleForcePoint {
   double condition = 0;            // condition number of the tip's Jacobian [1]
   std::optional<Eigen::Vector3d> plane_normal;  // unit, where all axes are parallel, world (3)
   std::optional<MaxTipForce> largest;  // largest load along the direction, if there is one, with
-                                       // prices of F0; of moments [N] reads [N m]
+                                       // prices of F0; a moment has [N m] in place of [N]
   Eigen::Vector3d other{0, 0, 0};      // other load at the same time, world frame [N m] or [N] (3)
   std::vector<StopTorque> stops;  // torques at the stops at this load, where `largest` is solved
   Eigen::VectorXd change;  // derivative of largest->component by each joint angle, the direction
-                           // fixed in its axes [N/rad] (joints); empty: no such force, a map
+                           // fixed in its axes [N/rad], of a moment [N m/rad] (joints); empty:
+                           // no such load, a map
   std::optional<WholeForceSet> whole;   // present if requested
   std::optional<ParalysisLoss> loss;    // loss of `largest`, where muscles are paralysed or weak
   std::vector<std::vector<int>> alike;  // muscles with equal moment arms at all joints: only the

@@ -13,11 +13,11 @@
 #include "base/rung_names.h"
 #include "base/words.h"
 #include "data/io/subject_doubts.h"
-#include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "kinematics_fit/odd_trials.h"
 #include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
+#include "kinematics_fit/undetermined_tilts.h"
 
 namespace thenar {
 namespace {
@@ -258,7 +258,7 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   outcome.warn(misfit_warnings(result));
   outcome.warn(describe(fit.problem, odd_trials(fit.problem, fit.solution.z, fit.covariance)));
   outcome.warn(noise_warnings(result));
-  outcome.warn(describe(find_axis_doubts(fit.problem, fit.solution.z, fit.covariance)));
+  outcome.warn(describe(find_undetermined_tilts(fit.problem, fit.solution.z, fit.covariance)));
   outcome.warn(net_warnings(fit));
   outcome.warn(stray_warnings(fit.covariance));
   outcome.warn(path_cautions(fit.inputs));

@@ -300,7 +300,7 @@ GraspResult measure_grasp(const GraspRequest& request, const Progress& progress)
   // The grasp itself: without one there is nothing to return.
   add_grasps(result, schedule.next(kStartTime * std::max(1, request.starts)));
   require(result.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", result.setting.path,
-          outcome_words(result.grasp));
+          describe_outcome(result.grasp));
   // Its measures, as far as they get.
   try {
     add_measures(result, schedule);
@@ -339,7 +339,7 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
 WorldSpec grasped_world(const GraspResult& result) {
   // Only a grasp that holds is worth a world of its own.
   require(result.grasp.outcome == GraspOutcome::kGrasped, "{}; there is no grasp to save",
-          outcome_words(result.grasp));
+          describe_outcome(result.grasp));
   const WorldHand& hand = result.setting.hand;
   const Pose<double>& X_WH = result.grasp.approached.X_WH;
   const Eigen::VectorXd& q = result.grasp.closed.q;

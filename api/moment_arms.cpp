@@ -23,7 +23,7 @@ Eigen::VectorXd lengths_at(const DigitTendons& tendons, const Eigen::VectorXd& q
 Eigen::VectorXd reference_posture(const DigitTendons& tendons, DigitResult& result) {
   Eigen::VectorXd straight = Eigen::VectorXd::Zero(tendons.digit().model.coordinates);
   const TendonTorque pull = arms_at(tendons, straight);
-  if (trusted(pull.status)) return straight;
+  if (is_trusted(pull.status)) return straight;
   result.outcome.warnings.push_back("tendon paths are not to be trusted with all joints at 0 (" +
                                     pull.warning +
                                     "): length changes are those since the first posture");
@@ -63,7 +63,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
 
   const auto ask = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
     const TendonTorque pull = arms_at(tendons, q);
-    require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+    require(is_trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
     answer.points.push_back(point_at(tendons, q, pull));
     answer.points.back().length_change -= start;
     if (!pull.warning.empty()) return {pull.warning};

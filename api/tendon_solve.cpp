@@ -38,7 +38,7 @@ TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& pr
   const LoadedDigit& loaded = out.loaded;
   out.point = sweep_digit(*loaded.tendons, {loaded.grid.postures.front()}, loaded.t).front();
   out.outcome.count_parts(1, 1, "posture");
-  if (!trusted(out.point.pull.status)) out.outcome.status = Status::kStalled;
+  if (!is_trusted(out.point.pull.status)) out.outcome.status = Status::kStalled;
   out.outcome.warn(tendon_warnings(loaded, out.point));
   return out;
 }
@@ -64,7 +64,7 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
   }
   // Mark the sweep as unreliable if one posture is.
   Outcome& outcome = sweep.outcome;
-  if (any_of(sweep.points, [](const DigitPoint& point) { return !trusted(point.pull.status); }))
+  if (any_of(sweep.points, [](const DigitPoint& point) { return !is_trusted(point.pull.status); }))
     outcome.status = Status::kStalled;
   outcome.count_parts(sweep.points.size(), grid.postures.size(), "posture");
   outcome.warn(tendon_warnings(sweep.loaded, sweep.points));

@@ -20,7 +20,7 @@ constexpr double kMinRatio = (1 - 0.4945) / 0.4945, kMaxRatio = 1.7 * 1.7 / kMin
 std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
   // A ratio of slack slips means nothing.
   const SlipTension& slips = point.pull.slips;
-  if (loaded.net() == nullptr || !trusted(point.pull.status) ||
+  if (loaded.net() == nullptr || !is_trusted(point.pull.status) ||
       slips.central + slips.terminal < kTautTension)
     return "";
   if (slips.terminal >= kMinRatio * slips.central && slips.terminal <= kMaxRatio * slips.central)
@@ -65,7 +65,7 @@ std::vector<std::string> tendon_warnings(const LoadedDigit& loaded, const DigitP
   if (point.snapped)
     warnings.push_back(
         "the hood snaps to another equilibrium on the way here from the straight finger");
-  if (!pull.warning.empty() && trusted(pull.status)) warnings.push_back(pull.warning);
+  if (!pull.warning.empty() && is_trusted(pull.status)) warnings.push_back(pull.warning);
   const std::string doubt = slip_doubt(loaded, point);
   if (!doubt.empty()) warnings.push_back(doubt);
   return warnings;

@@ -32,10 +32,11 @@ struct TipForcePoint {
   Eigen::Vector3d tip{0, 0, 0};             // position of the tip, world frame [m] (3); 0 for a map
   Eigen::Vector3d force{0, 0, 0};           // force of the tip on the world, world frame [N] (3)
   Eigen::Vector3d moment{0, 0, 0};          // about the tip, world frame [N m] (3); 0 if pinned
-  Eigen::VectorXd residual;                 // torque that no tip load balances [N m] (rows)
-  Eigen::VectorXd change;                   // |d force / d angle| of each joint [N/rad] (joints)
-  double condition = 0;                     // condition number of the balance [1]
-  bool singular = false;                    // pinned tip: some tip force needs no joint torque
+  Eigen::VectorXd residual;  // torque of each joint that no tip load balances [N m] (rows); of a
+                             // map, what its rows leave of forces [N] and moments [N m]
+  Eigen::VectorXd change;    // |d force / d angle| of each joint [N/rad] (joints)
+  double condition = 0;      // condition number of the balance [1]
+  bool singular = false;     // pinned tip: some tip force needs no joint torque
   bool minimum_norm =
       false;  // rigid hold: the balance has many solutions, and the result has minimum norm
   bool planar =

@@ -137,7 +137,7 @@ std::string without_stop(std::string text) {
 
 /// Returns a help sentence, without its full stop, with the form of the argument and its unit.
 std::string help_of(const Param& param, const Schema& schema) {
-  std::string text = without_stop(param.member.about);
+  std::string text = without_stop(param.member.description);
   const std::string& unit = schema.element ? schema.element->unit : schema.unit;
   if (!unit.empty()) text += fmt::format(" [{}]", unit);
   if (schema.words.empty()) return text;
@@ -175,11 +175,11 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (schema.kind == Kind::kFlag) {
     for (const std::string& name : option_names(param)) {
       const bool inverse = name.front() == '!';
-      const bool has_own_help = inverse && !param.off_about.empty();
+      const bool has_own_help = inverse && !param.off_description.empty();
       command.add_flag_callback(
           "--" + name.substr(inverse ? 1 : 0),
           [&request, key, inverse] { request[key] = !inverse; },
-          has_own_help ? without_stop(param.off_about) : help);
+          has_own_help ? without_stop(param.off_description) : help);
     }
     return;
   }
@@ -262,9 +262,9 @@ void add_request_options(CLI::App& command, const std::vector<Param>& params, Js
 std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
     CLI::App& app, const QuestionCommand& about) {
   auto typed = std::make_shared<TypedQuestion>();  // lives as long as the callback
-  // The about of the question is the help of the command, without its full stop.
+  // The description of the question is the help of the command, without its full stop.
   typed->question = &question_named(about.question);
-  std::string help = typed->question->about;
+  std::string help = typed->question->description;
   help.pop_back();
   CLI::App* command = app.add_subcommand(about.name, help);
   add_request_options(*command, typed->question->params, typed->request);

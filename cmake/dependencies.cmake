@@ -1,4 +1,4 @@
-# Every third party, with its least version, as an imported target. Nothing else finds packages.
+# Finds every third party, with its lowest version, as an imported target. No other file finds packages.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # Eigen3::Eigen
 find_package(fmt 9.1 REQUIRED)               # fmt::fmt
@@ -24,8 +24,9 @@ add_library(thenar::simbody INTERFACE IMPORTED)
 target_include_directories(thenar::simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
 target_link_libraries(thenar::simbody INTERFACE ${Simbody_LIBRARIES})
 
-# Simbody exports the symbols of a SUNDIALS of its own, 15 years older: ours is linked statically, and
-# hidden, so that neither calls the other. Who includes its headers hides them, too (stiff_ode.cpp).
+# Simbody exports the symbols of its own copy of SUNDIALS, which is 15 years older. Ours is linked statically
+# with hidden symbols, so that neither calls the other. A source that includes its headers hides them, too
+# (stiff_ode.cpp).
 foreach(part cvode kinsol)
   add_library(thenar::${part} INTERFACE IMPORTED)
   target_link_libraries(thenar::${part} INTERFACE SUNDIALS::${part}_static)
@@ -33,7 +34,7 @@ foreach(part cvode kinsol)
   target_link_options(thenar::${part} INTERFACE LINKER:--exclude-libs,libsundials_${part}.a)
 endforeach()
 
-# Ipopt's pkg-config file drags in a MUMPS with a fake MPI; the library alone is enough.
+# Ipopt's pkg-config file also links a MUMPS with a dummy MPI; the library alone is enough.
 find_library(IPOPT_LIBRARY ipopt REQUIRED)
 find_path(IPOPT_INCLUDE_DIR IpTNLP.hpp PATH_SUFFIXES coin REQUIRED)
 add_library(thenar::ipopt INTERFACE IMPORTED)
@@ -46,8 +47,8 @@ find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)
 target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
 
-# One BLAS for all: CHOLMOD calls libblas.so.3, which is OpenBLAS where it is installed, and Debian's
-# Ceres names ATLAS besides, which is slower and would come first.
+# Link one BLAS: CHOLMOD calls libblas.so.3, which is OpenBLAS where it is installed. Debian's Ceres also
+# links ATLAS, which is slower and would be found first.
 get_target_property(libraries Ceres::ceres INTERFACE_LINK_LIBRARIES)
 list(FILTER libraries EXCLUDE REGEX "lib(f77blas|atlas)[.]so")
 set_target_properties(Ceres::ceres PROPERTIES INTERFACE_LINK_LIBRARIES "${libraries}")
@@ -66,8 +67,8 @@ if(TARGET Coin::Coin)
   target_link_libraries(thenar::coin INTERFACE Coin::Coin)
 endif()
 
-# Optional: chains across processes, thenar::mpi. The C library alone, so that no Fortran MPI meets
-# the fake one of Ipopt's sequential MUMPS.
+# Optional: chains across processes, thenar::mpi. Only the C library is linked, so that no Fortran MPI
+# conflicts with the dummy one of Ipopt's sequential MUMPS.
 set(MPI_CXX_SKIP_MPICXX TRUE)
 find_package(MPI 3.1 QUIET COMPONENTS CXX)
 if(MPI_CXX_FOUND)
@@ -82,7 +83,7 @@ endif()
 if(THENAR_TESTS)
   find_package(GTest 1.12 REQUIRED)  # GTest::gtest_main, GTest::gmock
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
-  # Debian's own, which sees Debian's xarray whatever other Python comes first.
+  # Use Debian's Python, which finds Debian's xarray even if another Python is first in PATH.
   find_program(DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 endif()
 if(THENAR_BENCH)

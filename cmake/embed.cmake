@@ -1,7 +1,7 @@
 # thenar_embed(TARGET NAME FILE...)
 #
 # Compiles files into TARGET as `const std::map<std::string, std::string_view>& internal::NAME()`,
-# file name -> content, so that the program needs nothing beside itself at run time.
+# file name -> content, so that the program needs no other files at run time.
 add_custom_target(thenar_generated)
 
 function(thenar_embed target name)
@@ -12,7 +12,7 @@ function(thenar_embed target name)
             -P ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
     DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake VERBATIM)
   target_sources(${target} PRIVATE ${generated})
-  # By itself, for `./run tidy`, which compiles nothing.
+  # A target of its own for `./run tidy`, which compiles nothing.
   add_custom_target(${target}_${name} DEPENDS ${generated})
   add_dependencies(thenar_generated ${target}_${name})
 endfunction()

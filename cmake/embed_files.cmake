@@ -1,4 +1,4 @@
-# Writes OUT: a function internal::NAME() that returns the FILES by name. See embed.cmake.
+# Writes to OUT a function internal::NAME() that returns the FILES by name. See embed.cmake.
 set(body "")
 foreach(file IN LISTS FILES)
   get_filename_component(key ${file} NAME)

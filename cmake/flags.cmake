@@ -1,4 +1,4 @@
-# Our own flags, the same in every build type that matters.
+# Compiler flags of all build types.
 #
 # NDEBUG is never defined: Simbody's State has members under #ifndef NDEBUG, and Debian built its
 # library with them; CMake's own Release flags would add it and the program would crash.
@@ -7,8 +7,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
-# a*b + c is rounded twice on every processor, wherever the code stands: where gcc joins the two
-# depends on what stands around them.
+# Round a*b + c twice on every processor: whether gcc would join the two operations depends on the code
+# around them.
 add_compile_options(-ffp-contract=off)
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 
@@ -25,18 +25,18 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 if(THENAR_SANITIZE)
-  # Eigen steps from the null pointer of an empty matrix to its blocks, which nobody reads; clang
-  # alone minds. Reads beyond an object are the address sanitizer's. To look at types clang opens
-  # pipes, which the mesh reader may not while it reads.
+  # Switch off two checks of clang. pointer-overflow reports the unused blocks of an empty matrix, which
+  # Eigen computes from a null pointer; the address sanitizer finds reads beyond an object. vptr opens
+  # pipes, which the mesh reader may not do while it reads.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
                       $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=pointer-overflow,vptr>
                       -fno-omit-frame-pointer)
-  # The sources ask for gcc's word, which clang 14 does not say.
+  # The sources test gcc's macro, which clang 14 does not define.
   add_compile_definitions($<$<CXX_COMPILER_ID:Clang>:__SANITIZE_ADDRESS__=1>)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(THENAR_FUZZ)
-  # Every library tells libFuzzer where it has been.
+  # Instrument every library for the coverage of libFuzzer.
   add_compile_options(-fsanitize=fuzzer-no-link,address,bounds,float-cast-overflow
                       -fno-sanitize-recover=all -O1)
   add_link_options(-fsanitize=address,bounds,float-cast-overflow)
@@ -44,7 +44,7 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  # Sloppy only so far that files with a precompiled header are kept, too.
+  # Allow ccache to keep files with a precompiled header; nothing else is relaxed.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
       CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()

@@ -1,4 +1,4 @@
-# What `cmake --install` puts down: public headers, libraries, thenarConfig.cmake and the command.
+# Defines what `cmake --install` installs: public headers, libraries, thenarConfig.cmake and the command.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,9 +1,9 @@
 # thenar_library(NAME PUBLIC ... PRIVATE ...)
 #
-# One folder, one library of all its .cpp files. PUBLIC lists the floor below; PRIVATE lists third
-# parties, which only .cpp files may include. ALONE lists sources that unity builds leave out, because
+# Makes one library of all .cpp files of a folder. PUBLIC lists libraries of folders below; PRIVATE lists
+# third parties, which only .cpp files may include. ALONE lists sources that unity builds leave out, because
 # the headers of a third party change the meaning of what follows. An OWN library is not installed.
-# GLUE reads, asks and writes: what takes time is in the libraries below, and -O1 compiles in half the time.
+# GLUE compiles with -O1, in half the time: for folders that only read, call and write.
 function(thenar_library name)
   cmake_parse_arguments(ARG "OWN;GLUE" "" "PUBLIC;PRIVATE;ALONE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)

@@ -1,8 +1,9 @@
 # thenar_prelude(TARGET NAME LIKE HEADER...)
 #
-# Compiles TARGET with HEADERs read once for all targets that ask for NAME (same options, please: gcc takes the level of
-# optimisation from the header). LIKE links to what the headers need and to nothing that others of NAME do not link to.
-# Off (-DTHENAR_PRELUDE=OFF, as in the presets dev and tidy) every file stands on its own includes.
+# Precompiles HEADERs once for all targets of the same NAME, and compiles TARGET with them. These targets must have the same
+# compile options, because gcc takes the level of optimisation from the precompiled header. LIKE links to what the headers
+# need and to nothing that other targets of NAME do not link to. With -DTHENAR_PRELUDE=OFF, as in the presets dev and tidy,
+# each file is compiled with its own includes only.
 option(THENAR_PRELUDE "Precompile the headers that most files read" ON)
 
 function(thenar_prelude target name like)

@@ -23,7 +23,7 @@ int main() {
   // The net comes to rest, starting from the straight finger.
   const thenar::TendonSolveResult answer = thenar::solve_tendons(request);
   const thenar::TendonTorque& rest = answer.point.pull;
-  std::printf("trusted: %s\n", thenar::trusted(rest.status) ? "yes" : "no");
+  std::printf("trusted: %s\n", thenar::is_trusted(rest.status) ? "yes" : "no");
   std::printf("slips: central %.2f N, radial %.2f N, ulnar %.2f N, terminal %.2f N\n",
               rest.slips.central, rest.slips.radial, rest.slips.ulnar, rest.slips.terminal);
 

@@ -24,7 +24,7 @@ std::string bytes_of(const TriangleMesh& mesh) {
 }
 
 std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
-  // Counts, within reason and matching the length.
+  // Read the counts, and check them against the length.
   Counts counts{};
   if (bytes.size() < sizeof(Counts)) return std::nullopt;
   std::memcpy(counts, bytes.data(), sizeof(Counts));
@@ -33,7 +33,7 @@ std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
   const std::size_t vertices = 3 * sizeof(double) * counts[0],
                     triangles = 3 * sizeof(int) * counts[1];
   if (bytes.size() != sizeof(Counts) + vertices + triangles) return std::nullopt;
-  // Vertices and triangles, which must name vertices.
+  // Copy vertices and triangles, and check the triangles' indices.
   TriangleMesh mesh{Eigen::Matrix3Xd(3, counts[0]), Eigen::Matrix3Xi(3, counts[1])};
   std::memcpy(mesh.vertices.data(), bytes.data() + sizeof(Counts), vertices);
   std::memcpy(mesh.triangles.data(), bytes.data() + sizeof(Counts) + vertices, triangles);

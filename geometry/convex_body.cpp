@@ -19,13 +19,13 @@ Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, P
   Polygon kept;
   kept.reserve(polygon.size() + 1);
   const std::size_t count = polygon.size();
-  // Corners inside stay; a side that crosses the plane gets a point on it.
+  // Keep corners inside, and add a point where a side crosses the plane.
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = i + 1 == count ? 0 : i + 1;
     if (height[i] <= 0) kept.push_back(polygon[i]);
     if (height[i] == 0) cuts.push_back(polygon[i]);
     if ((height[i] < 0 && height[next] > 0) || (height[i] > 0 && height[next] < 0)) {
-      // From the inner corner outwards, so that both faces of an edge find the same point.
+      // Go from the inner corner outwards, so that both faces of an edge find the same point.
       const std::size_t in = height[i] < 0 ? i : next, out = height[i] < 0 ? next : i;
       const double share = height[in] / (height[in] - height[out]);
       kept.push_back(polygon[in] + share * (polygon[out] - polygon[in]));
@@ -48,7 +48,7 @@ Polygon cap_of(const Polygon& cuts, const Vector3d& n) {
     turned.emplace_back(std::atan2(v.dot(p - middle), u.dot(p - middle)), p);
   std::sort(turned.begin(), turned.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
-  // Neighbours that coincide are one.
+  // Merge neighbours that coincide.
   Polygon cap;
   for (const auto& [angle, p] : turned)
     if (cap.empty() || p != cap.back()) cap.push_back(p);
@@ -106,7 +106,7 @@ ConvexBody convex_box(const Eigen::AlignedBox3d& box) {
   ConvexBody body;
   body.box = box;
   const Vector3d &low = box.min(), &high = box.max();
-  // A pair of faces across each axis, counterclockwise seen from outside.
+  // Add a pair of faces across each axis, counterclockwise seen from outside.
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true}) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -123,13 +123,13 @@ ConvexBody convex_box(const Eigen::AlignedBox3d& box) {
 }
 
 ConvexBody convex_body(const TriangleMesh& mesh) {
-  // Too large to be tested.
+  // Do not test a mesh that is too large.
   if (static_cast<double>(mesh.vertices.cols()) * static_cast<double>(mesh.triangles.cols()) > 3e7)
     return {};
   ConvexBody body;
   for (const auto& p : mesh.vertices.colwise()) body.box.extend(Vector3d(p));
   const double extent = body.box.diagonal().norm();
-  // No corner may be above the plane of any triangle.
+  // Require that no corner is above the plane of any triangle.
   for (const auto& t : mesh.triangles.colwise()) {
     const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                    c = mesh.vertices.col(t(2));
@@ -137,7 +137,7 @@ ConvexBody convex_body(const TriangleMesh& mesh) {
     const double offset = n.dot(a);
     if (!((n.transpose() * mesh.vertices).maxCoeff() - offset <= 1e-6 * extent)) return {};
     body.faces.push_back({a, b, c});
-    // Triangles of one plane share a side.
+    // Add one side for all triangles of a plane.
     const bool there = std::any_of(body.sides.begin(), body.sides.end(), [&](const HalfSpace& s) {
       return (s.n - n).squaredNorm() < 1e-24 && std::abs(s.offset - offset) < 1e-12 * extent;
     });
@@ -176,11 +176,11 @@ Polygon cut_faces(std::vector<Polygon>& faces, const Height& above) {
 }  // namespace
 
 void clip(ConvexBody& body, const HalfSpace& side, double tolerance) {
-  // A box on one side of the plane needs no look at its corners.
+  // Compare the box with the plane first, which decides without corners.
   const double middle = side.n.dot(body.box.center()) - side.offset;
   const double reach = side.n.cwiseAbs().dot(body.box.sizes()) / 2;
   if (middle + reach <= tolerance) return;
-  // Height above the plane, zero within the tolerance.
+  // Compute heights above the plane, zero within the tolerance.
   const auto above = [&](const Vector3d& p) {
     const double h = side.n.dot(p) - side.offset;
     return std::abs(h) <= tolerance ? 0 : h;
@@ -189,7 +189,7 @@ void clip(ConvexBody& body, const HalfSpace& side, double tolerance) {
     return std::any_of(face.begin(), face.end(), [&](const Vector3d& p) { return above(p) > 0; });
   });
   if (!beyond) return;
-  // The cut is closed by a cap, or nothing is left.
+  // Close the cut by a cap, unless nothing is left.
   Polygon cap = cap_of(cut_faces(body.faces, above), side.n);
   if (body.faces.size() < 3 || cap.size() < 3) {
     body = {};
@@ -197,7 +197,7 @@ void clip(ConvexBody& body, const HalfSpace& side, double tolerance) {
   }
   body.faces.push_back(std::move(cap));
   body.sides.push_back(side);
-  // The box around what is left.
+  // Update the box.
   body.box.setEmpty();
   for (const Polygon& face : body.faces)
     for (const Vector3d& p : face) body.box.extend(p);
@@ -213,7 +213,7 @@ ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double toleran
 }
 
 Moments moments_of(const ConvexBody& body) {
-  // From a point amid it, so that little cancels out.
+  // Sum moments about the centre of its box, so that little cancels out.
   const Vector3d origin = body.box.center();
   Moments sum;
   for (const Polygon& face : body.faces)
@@ -240,9 +240,10 @@ HeightRange heights_over(const ConvexBody& body, const HalfSpace& side) {
 }
 
 /// Puts what of a piece stands outside of another body into `pieces`, as polyhedra that share no
-/// more than faces. @param work  counts the faces that were looked at
-void add_difference(const ConvexBody& piece, const ConvexBody& other, double tolerance,
-                    std::vector<ConvexBody>& pieces, double& work) {
+/// more than faces. @return number of faces that were looked at
+double add_difference(const ConvexBody& piece, const ConvexBody& other, double tolerance,
+                      std::vector<ConvexBody>& pieces) {
+  double work = 0;
   const std::size_t before = pieces.size();
   ConvexBody rest = piece;
   end_if_stopped();
@@ -250,7 +251,7 @@ void add_difference(const ConvexBody& piece, const ConvexBody& other, double tol
     work += static_cast<double>(rest.faces.size());
     const HeightRange height = heights_over(rest, side);
     if (height.most <= tolerance) continue;
-    // What is beyond this side is a piece; what is left is held against the next one.
+    // Store the part beyond this side as a piece, and compare the rest with the next side.
     if (height.least < -tolerance) {
       work += static_cast<double>(2 * rest.faces.size());
       ConvexBody beyond = rest;
@@ -260,20 +261,21 @@ void add_difference(const ConvexBody& piece, const ConvexBody& other, double tol
     } else {
       rest = {};
     }
-    // They have nothing in common, so that the piece stays whole.
+    // Keep the piece whole if they have nothing in common.
     if (rest.empty()) {
       pieces.resize(before);
       pieces.push_back(piece);
-      return;
+      break;
     }
   }
+  return work;
 }
 
 }  // namespace
 
 UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance,
                            double max_work) {
-  // The largest first: what lies within it is gone at once.
+  // Sort by volume, the largest first, so that bodies within it are removed early.
   std::vector<std::pair<Moments, const ConvexBody*>> sorted;
   for (const ConvexBody& body : bodies) sorted.emplace_back(moments_of(body), &body);
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -286,12 +288,12 @@ UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double toleran
       const ConvexBody& other = *sorted[j].second;
       result.work += 1;
       if (!other.box.intersects(sorted[i].second->box)) continue;
-      // Each piece, less that body.
+      // Subtract that body from each piece.
       std::vector<ConvexBody> outside;
       for (ConvexBody& piece : pieces) {
         result.work += 1;
         if (other.box.intersects(piece.box))
-          add_difference(piece, other, tolerance, outside, result.work);
+          result.work += add_difference(piece, other, tolerance, outside);
         else
           outside.push_back(std::move(piece));
         if (result.work > max_work) return {{}, false, result.work};

@@ -23,14 +23,14 @@ struct Facet {
 };
 
 Facet facet_of(const Matrix3Xd& p, int a, int b, int c) {
-  // Its plane, outward of the first three corners.
+  // Compute its plane from its corners.
   const Vector3d n = (p.col(b) - p.col(a)).cross(p.col(c) - p.col(a)).normalized();
   return {{a, b, c}, n, n.dot(p.col(a))};
 }
 
 /// Four points that span as much as they can, one after the other.
 std::vector<int> first_tetrahedron(const Matrix3Xd& p) {
-  // Extreme point, farthest from it, from their line, and from their plane.
+  // Find an extreme point, then those farthest from it, from their line, and from their plane.
   Eigen::Index a = 0, b = 0, c = 0, d = 0;
   p.row(0).minCoeff(&a);
   (p.colwise() - p.col(a)).colwise().squaredNorm().maxCoeff(&b);
@@ -45,7 +45,7 @@ std::vector<int> first_tetrahedron(const Matrix3Xd& p) {
 
 /// Facets that see the point give way to those between it and their rim.
 void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
-  // Facets that see the point go; edges between them and the rest are the rim.
+  // Remove the facets that see the point; edges between them and the rest form the rim.
   std::set<std::pair<int, int>> rim;
   std::vector<Facet> kept;
   for (const Facet& facet : facets) {
@@ -58,7 +58,7 @@ void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
       if (rim.erase({edge.second, edge.first}) == 0) rim.insert(edge);
     }
   }
-  // It lies inside.
+  // Ignore a point inside.
   if (kept.size() == facets.size()) return;
   for (const auto& [a, b] : rim) kept.push_back(facet_of(p, a, b, point));
   facets = std::move(kept);
@@ -71,7 +71,7 @@ double draw(std::mt19937& random) { return static_cast<double>(random()) / 42949
 
 TriangleMesh hull_mesh(const Matrix3Xd& points) {
   require(points.allFinite(), "a hull has a point that is not finite");
-  // Points moved a little, so that no four lie in a plane.
+  // Move the points a little, so that no four lie in a plane.
   if (points.cols() < 4) return {};
   const Vector3d extents = principal_extents(points);
   if (!(extents.minCoeff() / extents.maxCoeff() > 1e-4)) return {};

@@ -13,10 +13,10 @@ namespace thenar {
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 MassProperties signed_moments(const TriangleMesh& mesh) {
-  // From a point amid the mesh, so that little cancels out.
+  // Start from the mean of the vertices, so that little cancels out.
   const Vector3d origin = mesh.vertices.rowwise().mean();
   const Matrix3d unit = (Matrix3d::Ones() + Matrix3d::Identity()) / 120;
-  // Moments of the tetrahedra under each triangle.
+  // Sum the moments of the tetrahedra under each triangle.
   double volume = 0;
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
@@ -28,7 +28,7 @@ MassProperties signed_moments(const TriangleMesh& mesh) {
     first += det / 24 * A.rowwise().sum();
     second += det * A * unit * A.transpose();
   }
-  // About the centre.
+  // Move the moments to the centre.
   if (volume == 0) return {};
   const Vector3d centre = first / volume;
   second -= volume * centre * centre.transpose();

@@ -42,7 +42,7 @@ void check_entries(const TriangleMesh& mesh) {
 
 /// Thinner than a billionth of its longest edge.
 bool is_degenerate(const TriangleMesh& mesh, const Vector3i& t) {
-  // Longest side, and the largest area that rounding leaves.
+  // Compare the area with the largest that rounding leaves.
   const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                  c = mesh.vertices.col(t(2));
   const double longest =
@@ -111,7 +111,7 @@ bool same_way(const TriangleMesh& mesh, int t, int k, int other) {
 int make_agree(TriangleMesh& mesh) {
   const Eigen::Matrix3Xi across = neighbours_across(mesh);
   const auto count = static_cast<int>(mesh.triangles.cols());
-  // Breadth-first over neighbours, from every triangle not seen yet.
+  // Visit neighbours breadth-first, from every triangle not seen yet.
   std::vector<bool> seen(count, false), to_turn(count, false);
   for (int first = 0; first < count; ++first) {
     std::vector<int> waiting;
@@ -137,7 +137,7 @@ int make_agree(TriangleMesh& mesh) {
 /// A fan around the centre of each hole; returns how many.
 int close_holes(TriangleMesh& mesh) {
   int closed = 0;
-  // One vertex and a ring of triangles for each hole.
+  // Add one vertex and a ring of triangles for each hole.
   for (const MeshHole& hole : holes_of(mesh, sides_by_edge(mesh))) {
     if (hole.loop.size() < 3) continue;
     const auto centre = static_cast<int>(mesh.vertices.cols());
@@ -157,14 +157,14 @@ int close_holes(TriangleMesh& mesh) {
 MeshReport check_mesh(const TriangleMesh& mesh) {
   check_entries(mesh);
   MeshReport report;
-  // Edges of more than two triangles, and edges that two walk the same way.
+  // Count edges of more than two triangles, and edges that two traverse in the same sense.
   const std::vector<MeshSide> sides = sides_by_edge(mesh);
   for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {
     if (first->low == first->high) return;
     if (last - first > 2) ++report.nonmanifold_edges;
     if (last - first == 2 && first->upwards == first[1].upwards) ++report.reversed_edges;
   });
-  // Slivers, holes, and the volume of a closed mesh.
+  // Count slivers and holes, and compute the volume of a closed mesh.
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     report.degenerate += is_degenerate(mesh, mesh.triangles.col(t)) ? 1 : 0;
   report.holes = holes_of(mesh, sides);
@@ -177,7 +177,7 @@ std::string describe(const MeshReport& report) {
   const auto add = [&](int count, const char* what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
   };
-  // Holes first, the first few in detail.
+  // List the holes first, the first few in detail.
   add(static_cast<int>(report.holes.size()), "hole(s)");
   for (std::size_t i = 0; i < std::min(report.holes.size(), kMaxListedHoles); ++i) {
     const MeshHole& hole = report.holes[i];
@@ -196,7 +196,7 @@ std::string describe(const MeshReport& report) {
 MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   check_entries(mesh);
   MeshRepair repair;
-  // Triangles on the same three corners, next to each other.
+  // Sort triangles by their corners, which puts copies next to each other.
   const auto count = static_cast<std::size_t>(mesh.triangles.cols());
   std::vector<std::array<int, 4>> by_corners(count);  // sorted corners, triangle
   for (std::size_t t = 0; t < count; ++t) {
@@ -205,7 +205,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
     std::sort(by_corners[t].begin(), by_corners[t].begin() + 3);
   }
   std::sort(by_corners.begin(), by_corners.end());
-  // Those that are there before.
+  // Mark the later ones of copies.
   std::vector<bool> again(count, false);
   for (std::size_t i = 1; i < count; ++i)
     if (std::equal(by_corners[i].begin(), by_corners[i].begin() + 3, by_corners[i - 1].begin()))
@@ -220,7 +220,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
       ++repair.dropped;
   }
   repair.mesh = {mesh.vertices, as_columns(kept)};
-  // Agree, close, and face outwards.
+  // Make triangles agree, close holes, and turn the mesh outwards.
   repair.turned = make_agree(repair.mesh);
   if (holes == MeshHoles::kClose) repair.closed_holes = close_holes(repair.mesh);
   if (volume_of(repair.mesh) < 0) {

@@ -37,7 +37,7 @@ double angle_at(const TriangleForm& form, int k) {
 }
 
 std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const TriangleTree& tree) {
-  // Normals at vertices: those of the faces, weighted with their angles.
+  // Compute normals at vertices: those of the faces, weighted with their angles.
   Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
   std::vector<Vector3d> of_triangle(tree.forms().size());
   for (std::size_t i = 0; i < tree.forms().size(); ++i) {
@@ -46,10 +46,10 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const Triangl
     of_triangle[tree.order()[i]] = form.normal;
     for (int k = 0; k < 3; ++k) at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
   }
-  // Places of the mesh's triangles in the tree.
+  // List the places of the mesh's triangles in the tree.
   std::vector<int> place(tree.forms().size());  // of each of the mesh's triangles in the tree
   for (std::size_t i = 0; i < place.size(); ++i) place[tree.order()[i]] = static_cast<int>(i);
-  // Normals at edges: the sum of both faces.
+  // Compute normals at edges: the sum of both faces.
   std::vector<Pseudonormals> all(tree.forms().size());
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     Vector3d sum = Vector3d::Zero();
@@ -57,7 +57,7 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const Triangl
     for (const MeshSide* side = first; side != last; ++side)
       all[place[side->triangle]].edge[side->side] = sum;
   });
-  // Each corner takes that of its vertex.
+  // Give each corner the normal of its vertex.
   for (std::size_t i = 0; i < all.size(); ++i)
     for (int k = 0; k < 3; ++k)
       all[i].corner[k] = at_vertex.col(mesh.triangles(k, tree.order()[i]));
@@ -205,7 +205,7 @@ bool goes_through_itself(const Shape& shape) {
 
 std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
   static Recent recent;
-  // The same content shares one shape.
+  // Return the shape of the same content, if there is one.
   const std::string content = sha256(bytes_of(mesh));
   if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
   std::shared_ptr<const Shape> shape = made(mesh);

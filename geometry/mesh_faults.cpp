@@ -17,7 +17,7 @@ constexpr double kFlatShare = 1e-6;
 /// A hole that a corner on an edge leaves: all its corners are in line.
 bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
   const Eigen::Matrix3Xd loop = mesh.vertices(Eigen::all, hole.loop);
-  // The corner farthest from the first gives the line.
+  // Take the line from the first corner to the farthest one.
   Eigen::Index far = 0;
   const Eigen::Matrix3Xd r = loop.colwise() - loop.col(0);
   const double length = std::sqrt(r.colwise().squaredNorm().maxCoeff(&far));
@@ -60,7 +60,7 @@ MeshFaults find_mesh_faults(const TriangleMesh& mesh) {
       ++(flat ? flat_holes : is_seam(part, hole) ? faults.seams : faults.holes);
     if (flat) faults.flaps += static_cast<int>(part.triangles.cols());
   }
-  // Faces that nothing joins: together they may be a solid.
+  // Report only holes if no face is joined to another: together they may be a solid.
   if (all_flat) {
     faults.holes = flat_holes;
     faults.flaps = 0;

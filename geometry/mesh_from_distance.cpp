@@ -47,7 +47,7 @@ struct Passage {
 class EdgeGroups {
  public:
   explicit EdgeGroups(int inside) : inside_(inside) {
-    // Each in a group of its own.
+    // Give each crossed edge a group of its own.
     for (int edge = 0; edge < 12; ++edge)
       group_[edge] = is_in(low_corner(edge)) != is_in(high_corner(edge)) ? edge : -1;
     for (int axis = 0; axis < 3; ++axis)
@@ -114,7 +114,7 @@ const std::array<Passage, 256>& passages() {
 class Grid {
  public:
   Grid(const Shape& solid, double cell) : cell_(cell) {
-    // Nodes from beyond one corner of the box to beyond the other.
+    // Lay out nodes from beyond one corner of the box to beyond the other.
     require(cell > 0 && std::isfinite(cell), "a cell must be positive and finite, got {} m", cell);
     const Eigen::AlignedBox3d box = solid.bounds();
     origin_ = box.min().array() - 1.5 * cell;
@@ -123,7 +123,7 @@ class Grid {
             box.sizes().maxCoeff(), nodes.prod());
     size_ = nodes.cast<int>();
     value_.resize(nodes.prod());
-    // Distances block by block.
+    // Compute the distances block by block.
     for_each_node(Vector3i::Zero(), size_, kBlockCubes,
                   [&](const Vector3i& low) { fill_block(solid, low); });
   }
@@ -142,7 +142,7 @@ class Grid {
 
   /// Far from the surface the middle of a block speaks for all of it.
   void fill_block(const Shape& solid, const Vector3i& low) {
-    // The middle of the block, and how far its nodes reach.
+    // Compute the middle of the block, and a bound of its nodes' distance from it.
     const Vector3i high = (low.array() + kBlockCubes).min(size_.array());
     const double reach = cell_ * std::sqrt(3.0) / 2 * (kBlockCubes - 1) + 2 * solid.accuracy();
     const double middle =
@@ -168,7 +168,7 @@ class Mesher {
   Mesher(const Shape& solid, double cell) : solid_(solid), cell_(cell), grid_(solid, cell) {}
 
   TriangleMesh run() {
-    // Vertices, then a face for every crossed edge of the grid.
+    // Place vertices, then add a face for every crossed edge of the grid.
     place_patches();
     for_each(Vector3i(1, 1, 1), [&](const Vector3i& node) {
       for (int axis = 0; axis < 3; ++axis)
@@ -200,7 +200,7 @@ class Mesher {
   }
 
   int add_vertex(Vector3d p) {
-    // Onto the surface, unless that leads too far.
+    // Move it onto the surface, unless that leads too far.
     const Vector3d start = p;
     for (int i = 0; i < 8; ++i) {
       const NearestSurface near = solid_.nearest(p);
@@ -213,7 +213,7 @@ class Mesher {
 
   void place_patches() {
     first_patch_.assign(static_cast<std::size_t>(grid_.index(grid_.size())), -1);
-    // One vertex for each patch of each cell: the mean of its crossings.
+    // Place one vertex for each patch of each cell: the mean of its crossings.
     for_each(Vector3i::Zero(), [&](const Vector3i& cell) {
       const int inside = inside_corners(cell);
       const Passage& passage = passages()[inside];
@@ -242,9 +242,10 @@ class Mesher {
   /// Quadrilateral of the four cells around the edge from `node` along `axis`.
   void add_face(const Vector3i& node, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    // Ring of patches around the edge, with the middles of saddle faces between them.
+    // Collect the ring of patches around the edge, with the middles of saddle faces between them.
     const Vector3i du = Vector3i::Unit(u), dv = Vector3i::Unit(v);
-    // Cells counterclockwise seen from the high end, and the in-plane way to the face after each.
+    // List cells counterclockwise seen from the high end, and the in-plane way to the face after
+    // each.
     const std::array<Vector3i, 4> cells{node, node - du, node - du - dv, node - dv};
     const std::array<Vector3i, 4> ways{dv, Vector3i(-du), Vector3i(-dv), du};
     ring_.clear();
@@ -256,12 +257,12 @@ class Mesher {
       first = static_cast<int>(ring_.size());
       ring_.push_back(middle);
     }
-    // Without a saddle the fan takes the shorter diagonal.
+    // Without a saddle, take the shorter diagonal.
     const auto length = [&](int a, int b) {
       return (vertices_[ring_[a]] - vertices_[ring_[b]]).norm();
     };
     if (first < 0) first = length(1, 3) < length(0, 2) ? 1 : 0;
-    // A fan, facing outwards.
+    // Add a fan, facing outwards.
     std::rotate(ring_.begin(), ring_.begin() + first, ring_.end());
     if (!grid_.inside(node)) std::reverse(ring_.begin() + 1, ring_.end());
     for (std::size_t k = 1; k + 1 < ring_.size(); ++k)
@@ -272,12 +273,12 @@ class Mesher {
   /// own there, lest their edges coincide. -1: no such face.
   int middle_of_saddle(const Vector3i& node, int axis, const Vector3i& way) {
     const Vector3i other = node + Vector3i::Unit(axis);
-    // Only faces whose corners alternate.
+    // Consider only faces whose corners alternate.
     const bool in = grid_.inside(node);
     if (grid_.inside(node + way) == in || grid_.inside(other + way) != in) return -1;
     const Vector3i& inner = in ? node : other;
     const Vector3i along = in ? other : node;
-    // Each such face has one vertex for each inner corner.
+    // Add one vertex for each inner corner of such a face.
     const Vector3i low = node.cwiseMin(node + way);
     const auto key = std::make_tuple(grid_.index(low), 3 - axis - axis_of(way), grid_.index(inner));
     const auto found = saddles_.find(key);

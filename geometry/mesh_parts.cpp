@@ -27,7 +27,7 @@ constexpr double kLostVolume = 1e-13;
 /// @param number  of each vertex of the mesh, -1; left so
 TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
                        std::vector<int>& number) {
-  // Corners get new numbers as they come.
+  // Number corners as they occur.
   TriangleMesh part{{}, Eigen::Matrix3Xi(3, triangles.size())};
   std::vector<int> vertices;
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -40,7 +40,7 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
       }
       part.triangles(k, static_cast<Eigen::Index>(i)) = now;
     }
-  // Vertices in that order; the numbers are given back.
+  // Copy the vertices in that order, and reset the numbers.
   part.vertices = mesh.vertices(Eigen::all, vertices);
   for (const int vertex : vertices) number[vertex] = -1;
   return part;
@@ -84,7 +84,7 @@ Part closed_part(TriangleMesh mesh) {
 
 /// Puts cavities to the smallest part around them, turns all else outwards.
 std::vector<TriangleMesh> outward(std::vector<Part> parts) {
-  // Smaller parts first, so that a cavity finds the smallest part around it.
+  // Sort smaller parts first, so that a cavity finds the smallest part around it.
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return std::abs(a.volume) < std::abs(b.volume);
   });
@@ -98,7 +98,7 @@ std::vector<TriangleMesh> outward(std::vector<Part> parts) {
       }
     if (parts[i].volume < 0 && !is_cavity[i]) turn(parts[i].mesh);
   }
-  // Each solid with its cavities.
+  // Join each solid with its cavities.
   std::vector<TriangleMesh> solids;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_cavity[i]) continue;
@@ -122,14 +122,14 @@ bool is_sliver(double volume, double own, double whole) {
 
 TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
   if (parts.size() == 1) return parts.front();
-  // Room for all.
+  // Allocate vertices and triangles of all parts.
   Eigen::Index vertices = 0, triangles = 0;
   for (const TriangleMesh& part : parts) {
     vertices += part.vertices.cols();
     triangles += part.triangles.cols();
   }
   TriangleMesh whole{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, triangles)};
-  // Vertex numbers move up by those before.
+  // Shift vertex numbers by the number of those before.
   vertices = triangles = 0;
   for (const TriangleMesh& part : parts) {
     whole.vertices.middleCols(vertices, part.vertices.cols()) = part.vertices;
@@ -146,7 +146,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
   std::vector<bool> seen(static_cast<std::size_t>(mesh.triangles.cols()), false);
   std::vector<int> number(static_cast<std::size_t>(mesh.vertices.cols()), -1);
   std::vector<TriangleMesh> parts;
-  // Breadth-first over neighbours.
+  // Visit neighbours breadth-first.
   for (std::size_t first = 0; first < seen.size(); ++first) {
     if (seen[first]) continue;
     std::vector<int> members{static_cast<int>(first)};
@@ -158,7 +158,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
         seen[other] = true;
         members.push_back(other);
       }
-    // The whole mesh is one part.
+    // Return a mesh that is one part as a whole.
     if (members.size() == seen.size()) return {mesh};
     std::sort(members.begin(), members.end());
     parts.push_back(taken_out(mesh, members, number));
@@ -174,7 +174,7 @@ std::string explain_open_mesh(const TriangleMesh& mesh, const MeshReport& found)
 }
 
 std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
-  // Closed or not at all.
+  // Require a closed mesh.
   require(!mesh.empty(), "a mesh has no triangle");
   const MeshReport found = check_mesh(mesh);
   if (!found.holes.empty())
@@ -185,7 +185,7 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
       connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
   if (meshes.empty()) fail_without_volume(mesh);
   if (sound && meshes.size() == 1) return meshes;
-  // Slivers enclose nothing that could be touched.
+  // Skip slivers, which enclose nothing that could be touched.
   const double whole = diagonal_of(mesh);
   std::vector<Part> parts;
   parts.reserve(meshes.size());

@@ -56,14 +56,14 @@ NearestGrid::Ball NearestGrid::bounding_ball(const TriangleForm& form) {
 }
 
 NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share) {
-  // A power of two of smallest cubes around the mesh.
+  // Enclose the mesh in a cube of a power of two of smallest cubes.
   const double longest = tree.bounds().sizes().maxCoeff();
   const double whole = (1 + 2 * kGridMargin) * longest;
   levels_ = std::max(0, static_cast<int>(std::floor(std::log2(whole / cell_of(tree)))));
   cell_ = std::ldexp(whole, -levels_);
   inverse_ = 1 / cell_;
   origin_ = tree.bounds().center().array() - whole / 2;
-  // All triangles, with a ball around each.
+  // List all triangles, with a ball around each.
   all_triangles_.resize(tree.forms().size());
   std::iota(all_triangles_.begin(), all_triangles_.end(), 0);
   balls_.reserve(all_triangles_.size());
@@ -94,9 +94,9 @@ std::vector<NearestGrid::Candidate> NearestGrid::find_candidates(const Block& bl
     least = std::min(least, distance);
     if (distance <= least + 2 * reach) here.push_back({distance, triangle});
   }
-  // Triangles too far for any point of the cube.
+  // Remove triangles too far for any point of the cube.
   erase_where(here, [&](const Candidate& each) { return each.distance > least + 2 * reach; });
-  // Long lists are worth a sharper test; the nearest comes first.
+  // Apply a sharper test to long lists, and put the nearest first.
   if (here.size() > kFewCandidates) remove_dominated(block, here, tree);
   std::swap(here.front(), *std::min_element(here.begin(), here.end(), is_nearer));
   return here;
@@ -108,7 +108,7 @@ bool NearestGrid::is_nearer(const Candidate& a, const Candidate& b) {
 
 void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& here,
                                    const TriangleTree& tree) const {
-  // Corners of the cube, and distances of a point from all of them.
+  // Compute the corners of the cube, and distances of a point from all of them.
   const double edge = std::ldexp(cell_, block.level), rounding = 1e-9 * edge;
   Eigen::Array<double, 8, 3> corner;
   for (int c = 0; c < 8; ++c)
@@ -120,7 +120,8 @@ void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& h
             (corner.col(2) - p.z()).square())
         .sqrt();
   };
-  // How far the triangles' balls are, and the points of the mesh nearest to the corners.
+  // Compute the distances of the triangles' balls, and the points of the mesh nearest to the
+  // corners.
   std::vector<PerCorner> least;
   least.reserve(here.size());
   std::array<FootPoint, 8> best;
@@ -132,13 +133,13 @@ void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& h
       if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared)
         keep_nearer(tree.forms()[candidate.triangle], corner.row(c).transpose(), best[c]);
   }
-  // Rivals: those eight points of the mesh.
+  // Take those eight points of the mesh as rivals.
   std::array<PerCorner, 8> rival;
   for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].point) + rounding;
   const auto beaten = [&](const PerCorner& distance) {
     return any_of(rival, [&](const PerCorner& point) { return (distance > point).all(); });
   };
-  // Triangles that a rival beats everywhere go, by their ball or exactly.
+  // Remove triangles that a rival beats everywhere, by their ball or exactly.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
     if (beaten(least[i])) continue;
@@ -153,7 +154,7 @@ void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& h
 
 bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<int>& above,
                               const TriangleTree& tree) const {
-  // Asked often enough to be worth filling, and nobody else is filling.
+  // Fill the cell only after enough queries, and if no other thread fills it.
   const int queries = cell.queries.fetch_add(1, std::memory_order_relaxed);
   if (queries < static_cast<int>(above.size()) / kTreeCandidates) return false;
   const std::unique_lock lock(filling_, std::try_to_lock);
@@ -164,12 +165,12 @@ bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<
 
 void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& above,
                        const TriangleTree& tree) const {
-  // Candidates, and whether dividing would help.
+  // Find candidates, and decide whether dividing would help.
   std::vector<Candidate> here = find_candidates(block, above, tree);
   const double edge = std::ldexp(cell_, block.level);
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
-  // A divided cube.
+  // Divide the cube.
   if (block.level > 0 && here.size() > kFewCandidates && edge > share_ * far && !in_vain) {
     auto divided = std::make_unique<Divided>();
     divided->triangles = transformed(here, [](const Candidate& each) { return each.triangle; });
@@ -178,7 +179,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
     cell.count.store(kDivided, std::memory_order_release);
     return;
   }
-  // A list, or the nearest as a guess for the tree.
+  // Otherwise store a list, or the nearest as a guess for the tree.
   const bool listed = here.size() <= kMax;
   if (listed) std::sort(here.begin(), here.end(), is_nearer);
   const std::size_t count = listed ? here.size() : 1;
@@ -189,7 +190,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
 }
 
 NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree) const {
-  // Cell of the point, clamped to the grid.
+  // Find the cell of the point, clamped to the grid.
   NearestTriangle best;
   const Vector3d scaled = inverse_ * (p - origin_);
   const double size = std::ldexp(1.0, levels_);
@@ -197,7 +198,7 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
   const auto block_at = [&](int level) -> Block {
     return {at.unaryExpr([level](int a) { return a >> level << level; }), level};
   };
-  // Down to the smallest cube that is not divided.
+  // Descend to the smallest cube that is not divided.
   int level = levels_;
   Cell* cell = &root_;
   const std::vector<int>* above = &all_triangles_;
@@ -215,13 +216,13 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
     }
     count = cell->count.load(std::memory_order_acquire);
   }
-  // A guess, or a point outside: the tree decides.
+  // Search the tree for a point outside, or from a guess.
   const Candidate* candidate = cell->candidates;
   if (count == kGuess || !(scaled.array() >= 0 && scaled.array() < size).all()) {
     tree.update_nearest(candidate->triangle, p, best);
     return tree.nearest(p, best);
   }
-  // Through the list until no triangle can be nearer.
+  // Search the list until no triangle can be nearer.
   const double off = (p - centre(block_at(level))).norm();
   for (int i = 0; i < count; ++i) {
     const double bound = candidate[i].distance - off;

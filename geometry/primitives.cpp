@@ -159,7 +159,7 @@ class Ellipsoid final : public Shape {
 
   /// Finds the foot of y, with s = t + least^2, so that no digits are lost near the root's pole.
   [[nodiscard]] Foot find_foot(const Vector3d& y) const {
-    // A start to the left of the root.
+    // Choose a start to the left of the root.
     const Vector3d ey = e_.cwiseProduct(y);
     const double start = (ey - shift_).maxCoeff();
     if (start <= 0) {
@@ -168,7 +168,7 @@ class Ellipsoid final : public Shape {
       const Vector3d ratio = (shift_.array() > 0).select(ey.cwiseQuotient(shift_), 0.0);
       if (ratio.squaredNorm() <= 1) return inner_foot(ratio);
     }
-    // Newton's method on the inverse root of the sum.
+    // Apply Newton's method to the inverse root of the sum.
     double s = std::max(start, 0.0);
     for (int i = 0; i < 50; ++i) {
       const Vector3d span = shift_.array() + s;

@@ -33,7 +33,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
   std::map<std::array<long, 3>, std::vector<int>> cells;
   std::vector<int> stands_for(static_cast<std::size_t>(mesh.vertices.cols()));
   const Vector3d low = mesh.vertices.rowwise().minCoeff();
-  // Cells of the tolerance's size: only neighbouring cells can hold a corner that is near.
+  // Use cells of the tolerance's size: only neighbouring cells can contain a corner that is near.
   for (int i = 0; i < static_cast<int>(stands_for.size()); ++i) {
     const Vector3d p = mesh.vertices.col(i);
     const Eigen::Array<long, 3, 1> cell = ((p - low) / near).array().floor().cast<long>();
@@ -48,7 +48,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
     stands_for[i] = found;
     if (found == i) cells[{cell(0), cell(1), cell(2)}].push_back(i);
   }
-  // Triangles that keep three different corners.
+  // Keep triangles with three different corners.
   std::vector<Vector3i> kept;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3i v = mesh.triangles.col(t).unaryExpr([&](int i) { return stands_for[i]; });
@@ -93,13 +93,13 @@ using Loose = std::multimap<double, int>;
 /// Returns the vertices within `near` of the inside of an edge, in order along it.
 std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a, int b,
                              double near) {
-  // The edge, and loose vertices whose x lies in its range.
+  // Visit loose vertices whose x lies in the range of the edge.
   const Vector3d p = mesh.vertices.col(a), way = mesh.vertices.col(b) - p;
   const double length = way.norm();
   std::vector<std::pair<double, int>> on;
   const auto last = loose.upper_bound(std::max(p.x(), p.x() + way.x()) + near);
   for (auto at = loose.lower_bound(std::min(p.x(), p.x() + way.x()) - near); at != last; ++at) {
-    // Along the edge's inside, and near it.
+    // Keep those along the edge's inside, and near it.
     const Vector3d r = mesh.vertices.col(at->second) - p;
     const double along = r.dot(way) / length;
     if (at->second != a && at->second != b && along > near && along < length - near &&
@@ -130,13 +130,13 @@ Loose ends_of(const TriangleMesh& mesh, const std::map<std::pair<int, int>, int>
 int cut_at_corners(TriangleMesh& mesh) {
   const double near = 2e-6 * diagonal_of(mesh);
   int cuts = 0;
-  // Cutting makes new edges, so it is repeated.
+  // Repeat, because cutting makes new edges.
   for (int round = 0; round < 8; ++round) {
     const auto open = open_edges(mesh);
     const Loose loose = ends_of(mesh, open);
     std::set<int> cut;
     std::vector<Vector3i> made;
-    // A triangle is cut once a round, at its first edge that holds other corners.
+    // Cut each triangle once per round, at its first edge that contains other corners.
     for (const auto& [edge, t] : open) {
       if (cut.count(t) != 0) continue;
       const int k = edge_number(mesh, t, edge);
@@ -150,7 +150,7 @@ int cut_at_corners(TriangleMesh& mesh) {
       int from = a;
       for (const int to : on) made.emplace_back(from, to, c), from = to;
     }
-    // Triangles that were not cut stay.
+    // Keep triangles that were not cut.
     if (cut.empty()) break;
     cuts += static_cast<int>(cut.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t)
@@ -163,7 +163,7 @@ int cut_at_corners(TriangleMesh& mesh) {
 /// Pairs of triangles on the same corners that face each other: a wall within, or a sheet.
 TriangleMesh without_walls(const TriangleMesh& mesh) {
   std::map<std::array<int, 3>, std::array<std::vector<int>, 2>> at;  // by the way they face
-  // Triangles by their corners and the way they face.
+  // Group triangles by their corners and the side that they face.
   for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t) {
     const Vector3i v = mesh.triangles.col(t);
     std::array<int, 3> sorted{v(0), v(1), v(2)};
@@ -171,7 +171,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
     const bool even = (v(0) < v(1)) == (v(1) < v(2)) ? v(0) < v(1) : v(2) < v(0);
     at[sorted][even ? 0 : 1].push_back(t);
   }
-  // Of those on the same corners keep one, and none if they face both ways.
+  // Keep one of those on the same corners, and none if they face both sides.
   std::vector<Vector3i> kept;
   for (const auto& [corners, ways] : at) {
     if (!ways[0].empty() && !ways[1].empty()) continue;
@@ -215,7 +215,7 @@ SoundPart sound_part(const TriangleMesh& part, const MeshReport& before, double 
   const MeshReport report = check_mesh(repair.mesh);
   if (!report.watertight()) return {hull_mesh(part.vertices), /*hull=*/true, 0};
   if (is_sliver(report.volume, diagonal_of(repair.mesh), whole)) return {};
-  // A part that was whole keeps the way it faces: it may be a cavity.
+  // Keep the sense of a part that was closed: it may be a cavity.
   if (before.watertight()) return {part, /*hull=*/false, repair.closed_holes};
   return {std::move(repair.mesh), /*hull=*/false, repair.closed_holes};
 }
@@ -254,7 +254,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
     if (sound.hull) hulls.push_back(hull_words(parts[i], i + 1, parts.size()));
     holes += sound.holes;
   }
-  // Too little is left of the mesh.
+  // Return the hull if too little is left of the mesh.
   if (solids.empty() || left_out > 0.5 * all) return hull_of(given);
   if (holes > 0)
     done.add(fmt::format("{} hole(s) closed, the longest {:.4g} mm around", holes, 1e3 * longest));
@@ -265,14 +265,14 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
 
 /// A mesh that bounds no solid, whatever it takes.
 RepairedSolid mended(const TriangleMesh& mesh) {
-  // Corners at the same place first.
+  // Merge corners at the same place first.
   const TriangleMesh merged = best_welded(mesh);
   if (merged.empty()) return hull_of(mesh);
   Done merging;
   if (merged.triangles.cols() != mesh.triangles.cols() || merged.triangles != mesh.triangles)
     merging.add("corners at the same place joined");
   std::vector<RepairedSolid> tries;
-  // With inner walls, then without them.
+  // Try with inner walls, then without them.
   for (const bool walls : {true, false}) {
     Done done = merging;
     const MeshRepair repair = repair_mesh(walls ? merged : without_walls(merged), MeshHoles::kKeep);
@@ -333,7 +333,7 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
 
 RepairedSolid watertight_mesh(const TriangleMesh& mesh) {
   RepairedSolid mended = repair_to_solid(mesh);
-  // Does it need more than was done?
+  // Check whether it needs more repair.
   const MeshReport before = check_mesh(mended.mesh);
   TriangleMesh sound = joined(solid_parts(mended.mesh));
   const double volume = check_mesh(sound).volume;

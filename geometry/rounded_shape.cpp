@@ -17,7 +17,7 @@ class RoundedShape final : public Shape {
     return core_->distance(p) - radius_;
   }
   [[nodiscard]] NearestSurface nearest(const Eigen::Vector3d& p) const override {
-    // The plane through the core's nearest point moves out by the radius, and still supports.
+    // Move the plane through the core's nearest point out by the radius; it still supports.
     NearestSurface near = core_->nearest(p);
     near.distance -= radius_;
     return near;

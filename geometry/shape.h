@@ -9,7 +9,7 @@ namespace thenar {
 
 /// Nearest surface as seen from a point.
 struct NearestSurface {
-  double distance;         // distance of the point from the surface, negative inside [m]
+  double distance = 0;     // distance of the point from the surface, negative inside [m]
   Eigen::Vector3d normal;  // unit, outward: gradient of the distance (3)
   bool supports = false;   // whether no part of the solid is beyond the plane  n . (q - p) =
                            // -distance: its distance from any q is at least  distance + n . (q - p)

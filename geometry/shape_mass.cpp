@@ -45,7 +45,7 @@ MassProperties cylinder(double r, double height) {
 
 /// Returns the mass of a cylinder and two half balls, with centroids 3/8 r from their flat sides.
 MassProperties capsule(double r, double height) {
-  // The cylinder, then both half balls about the middle.
+  // Sum the cylinder and both half balls about the middle.
   MassProperties body = cylinder(r, height);
   const double m = 4 * kPi / 3 * r * r * r, h = height / 2;
   const double across = m * (2 * r * r / 5 + h * h + 3 * h * r / 4);
@@ -60,7 +60,7 @@ MassProperties capsule(double r, double height) {
 ///   integral of x^2 = 1/2 a^3 bc e1 e2 B(3/2 e2, e2/2) B(e1/2, 2 e1 + 1),  of y^2 alike,
 ///   integral of z^2 = 2 ab c^3 e1 e2 B(e2/2, e2/2 + 1) B(3/2 e1, e1 + 1).
 MassProperties superellipsoid(const Eigen::Vector3d& s, const Eigen::Vector2d& e) {
-  // Dirichlet's integrals for the volume and the second moments.
+  // Compute volume and second moments by Dirichlet's integrals.
   const double size = s.prod() * e.prod(), turn = std::beta(e[1] / 2, e[1] / 2 + 1);
   const double across =
       size / 2 * std::beta(1.5 * e[1], e[1] / 2) * std::beta(e[0] / 2, 2 * e[0] + 1);
@@ -73,7 +73,7 @@ MassProperties superellipsoid(const Eigen::Vector3d& s, const Eigen::Vector2d& e
 /// Triangles that face inwards are turned first: each takes away twice what it holds.
 MassProperties enclosed(const TriangleMesh& mesh) {
   if (mesh.empty()) return {};
-  // A sound mesh directly, others part by part.
+  // Integrate a sound mesh directly, others part by part.
   const MeshReport found = check_mesh(mesh);
   if (found.watertight() && found.volume > 0) return signed_moments(mesh);
   std::vector<MassProperties> parts;
@@ -113,14 +113,14 @@ MassProperties mass_at_unit_density(const ShapeSpec& shape) {
 }
 
 MassProperties sum_of_masses(const std::vector<MassProperties>& parts) {
-  // Common centre.
+  // Compute the common centre.
   MassProperties sum;
   for (const MassProperties& part : parts) {
     sum.mass += part.mass;
     sum.centre += part.mass * part.centre;
   }
   if (sum.mass > 0) sum.centre /= sum.mass;
-  // Inertia about it by Steiner's theorem.
+  // Compute the inertia about it by Steiner's theorem.
   for (const MassProperties& part : parts) {
     const Eigen::Vector3d r = part.centre - sum.centre;
     sum.inertia += part.inertia +
@@ -156,7 +156,7 @@ struct UnionPart {
 };
 
 ConvexBody placed(ConvexBody body, const Pose<double>& X) {
-  // Corners, box and sides in the new frame.
+  // Express corners, box and sides in the new frame.
   body.box.setEmpty();
   for (auto& face : body.faces)
     for (Vector3d& p : face) {
@@ -171,7 +171,7 @@ ConvexBody placed(ConvexBody body, const Pose<double>& X) {
 }
 
 UnionPart part_of(const ShapeSpec& spec) {
-  // Shape and box; moments where there is a closed form.
+  // Set shape and box, and moments where there is a closed form.
   UnionPart part;
   part.shape = build_solid({spec}).shape;
   part.box = part.shape->bounds();
@@ -179,7 +179,7 @@ UnionPart part_of(const ShapeSpec& spec) {
   if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
   if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
     part.look = kMeshCost;
-  // Boxes and convex meshes can be cut exactly.
+  // Store boxes and convex meshes as bodies that can be cut exactly.
   if (spec.kind == ShapeKind::kBox)
     part.convex = placed(convex_box({-spec.size / 2, spec.size / 2}), spec.X_BS);
   if (spec.kind == ShapeKind::kMesh) part.convex = placed(convex_body(spec.mesh), spec.X_BS);
@@ -214,7 +214,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
       add(shape);
       continue;
     }
-    // A mesh counts as the solids that it bounds.
+    // Replace a mesh by the solids that it bounds.
     for (TriangleMesh& mesh : solid_parts(shape.mesh)) {
       ShapeSpec one;
       one.kind = ShapeKind::kMesh;
@@ -259,7 +259,7 @@ std::vector<Parts> coarse_clusters_of(const std::vector<UnionPart>& parts) {
   Parts all;
   for (const UnionPart& part : parts) all.push_back(&part);
   std::vector<Parts> groups{all};
-  // Axis by axis, until none divides a group any more.
+  // Divide groups axis by axis, until none divides a group any more.
   for (int axis = 0, vain = 0; vain < 3; axis = (axis + 1) % 3) {
     std::vector<Parts> next;
     for (Parts& group : groups)
@@ -311,7 +311,7 @@ class CubeSum {
  private:
   // NOLINTNEXTLINE(misc-no-recursion): as deep as cubes are halved
   void add(const Eigen::AlignedBox3d& box, int level, const Parts& above, int whole = 0) {
-    // Parts that fill the cube, and those whose surfaces may pass through it.
+    // Count parts that fill the cube, and collect those whose surfaces may pass through it.
     const double reach = box.diagonal().norm() / 2;
     Parts through;
     end_if_stopped();
@@ -326,9 +326,9 @@ class CubeSum {
       if (std::abs(distance) <= reach + slack) through.push_back(part);
     }
     const auto passing = static_cast<int>(through.size());
-    // Nothing to count in this cube.
+    // Return if nothing counts in this cube.
     if (whole + passing < (excess_ ? 2 : 1)) return;
-    // No surface passes through: the cube counts as a whole.
+    // Add the whole cube if no surface passes through it.
     if (passing == 0 || (!excess_ && whole > 0)) {
       const Moments cube = moments_of(convex_box(box));
       for (int i = 0; i < (excess_ ? whole - 1 : 1); ++i) sum_ += cube;
@@ -348,7 +348,7 @@ class CubeSum {
 
   /// Adds a smallest cube, in which each part is the space below the plane nearest to the middle.
   void add_cut(const Eigen::AlignedBox3d& box, const Parts& through, int whole) {
-    // Each part as the cube below its nearest plane.
+    // Replace each part by the cube below its nearest plane.
     std::vector<ConvexBody> filled;
     for (const UnionPart* part : through) {
       const NearestSurface near = part->shape->nearest(box.center());
@@ -391,7 +391,7 @@ Eigen::AlignedBox3d cube_around(const Parts& parts, bool excess) {
     for (const UnionPart* b : parts)
       if (excess && a < b) box.extend(common_box(*a, *b));
   }
-  // Faces of the parts' boxes shall not be faces of cubes.
+  // Enlarge the cube, so that faces of the parts' boxes are not faces of cubes.
   const Vector3d half = Vector3d::Constant(0.5013 * box.sizes().maxCoeff());
   return {box.center() - half, box.center() + half};
 }
@@ -459,7 +459,7 @@ Summed sum_cubes(const Parts& parts, double looks) {
 
 /// @param share  of all work that these parts may take
 Summed moments_of_cluster(const Parts& parts, double share) {
-  // Alone, or all of them convex: exact.
+  // Compute a single part, or convex parts, exactly.
   if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
   std::vector<ConvexBody> convex;
   double extent = 0;
@@ -478,7 +478,7 @@ Summed moments_of_cluster(const Parts& parts, double share) {
 UnionMass union_mass(const std::vector<ShapeSpec>& shapes) {
   require(!shapes.empty(), "a solid needs at least one shape");
   const std::vector<UnionPart> parts = parts_of(shapes);
-  // Groups of overlapping parts, each with its share of the work.
+  // Sum groups of overlapping parts, each with its share of the work.
   Moments sum;
   double error = 0;
   for (const Parts& cluster : clusters_of(parts)) {

@@ -45,7 +45,7 @@ double reach_of(const ShapeSpec& shape, const Vector3d& from) {
   require(from.allFinite(), "wanted a finite point, got ({}, {}, {})", from.x(), from.y(),
           from.z());
   const Vector3d p = shape.X_BS.inverse() * from;
-  // Distance of a circle about z from there.
+  // Compute the largest distance from a circle about z.
   const auto to_circle = [&](double radius, double z) {
     return std::hypot(p.head<2>().norm() + radius, p.z() - z);
   };

@@ -38,7 +38,7 @@ class Placed final : public Shape {
 class Union final : public Shape {
  public:
   explicit Union(std::vector<std::shared_ptr<const Shape>> parts) : parts_(std::move(parts)) {
-    // Box and accuracy of the whole.
+    // Compute box and accuracy of the union.
     for (const auto& part : parts_) {
       boxes_.push_back(part->bounds());
       whole_.extend(boxes_.back());

@@ -22,7 +22,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 constexpr double kMinSize = 1e-9, kMaxSize = 1e6;  // range of valid sizes [m]
 
 void check(const ShapeSpec& spec) {
-  // Sizes and exponents in range.
+  // Check that sizes and exponents are in range.
   for (int i = 0; i < size_entries(spec.kind); ++i)
     require(spec.size(i) >= kMinSize && spec.size(i) <= kMaxSize,
             "size {} of a {}: wanted {:g} to {:g} m, got {} m", i, name_of(spec.kind), kMinSize,
@@ -31,7 +31,7 @@ void check(const ShapeSpec& spec) {
     require(spec.exponents.minCoeff() >= 0.1 && spec.exponents.maxCoeff() <= 2,
             "exponents of a superellipsoid must lie in [0.1, 2], got {} and {}", spec.exponents(0),
             spec.exponents(1));
-  // A proper rotation.
+  // Check that the pose has a proper rotation.
   const Pose<double>& X = spec.X_BS;
   require(X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) && X.R.determinant() > 0,
           "a {} must be placed by a rotation", name_of(spec.kind));
@@ -71,7 +71,7 @@ TriangleMesh cylinder_mesh(double radius, double height, double tolerance) {
 /// The profile's arcs have corners where the side's line begins and ends.
 TriangleMesh tapered_capsule_mesh(const Vector3d& size, double tolerance) {
   const double lower = size(0), upper = size(1), half = size(2) / 2;
-  // Round both ways: each takes half of the error.
+  // Give half of the error to each of the two curved directions.
   const int sides = sides_of_circle(std::max(lower, upper), tolerance / 2);
   const double slope = std::asin(std::clamp((lower - upper) / size(2), -1.0, 1.0));
   const int below = std::max(2, static_cast<int>(std::ceil((kPi / 2 + slope) * sides / (2 * kPi))));
@@ -121,7 +121,7 @@ double touch_tolerance(const Shape& shape) {
 /// shapes their surface.
 RoundedMesh touch_of(const ShapeSpec& spec, const Shape& shape) {
   RoundedMesh touch;
-  // Spheres and capsules keep their core; others are tessellated.
+  // Keep the core of spheres and capsules; tessellate others.
   if (spec.kind == ShapeKind::kSphere) {
     touch = {{Vector3d::Zero(), Eigen::Vector3i::Zero()}, spec.size(0)};
   } else if (spec.kind == ShapeKind::kCapsule) {
@@ -160,7 +160,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
   Solid solid;
   std::vector<std::shared_ptr<const Shape>> parts;
   std::vector<TriangleMesh> pictures;
-  // Each shape, a mesh as the solids that it bounds.
+  // Build each shape, a mesh as the solids that it bounds.
   for (const ShapeSpec& given : shapes)
     for (const ShapeSpec& spec : parts_of(given)) {
       const std::shared_ptr<const Shape> shape = shape_of(spec);
@@ -171,7 +171,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
       parts.push_back(place(shape, spec.X_BS));
       solid.parts.push_back({without_mesh(spec), shape});
     }
-  // Pictures joined, distances united.
+  // Join the pictures, and unite the shapes.
   solid.visual = joined(pictures);
   solid.shape = join(std::move(parts));
   return solid;

@@ -73,14 +73,14 @@ class Norm {
   /// Computes the norm N and its derivatives, with T = N^q = s^(q/p) + (z/c)^q, s = (x/a)^p +
   /// (y/b)^p.
   [[nodiscard]] Value value(const Vector3d& x) const {
-    // So near a plane of symmetry that powers would underflow is on it.
+    // Move points onto a plane of symmetry that is so near that powers would underflow.
     Vector3d u = x.cwiseProduct(inverse_);
     u = (u.array() < 1e-12 * u.maxCoeff()).select(0.0, u);
-    // Powers of the coordinates, and the chain rule's factors.
+    // Compute powers of the coordinates, and the chain rule's factors.
     const Powers at = powers(u);
     const double ratio = q_ / p_, over = at.s > 0 ? at.disc / at.s : 0;
     const double f1 = ratio * over, f2 = at.s > 0 ? ratio * (ratio - 1) * over / at.s : 0;
-    // Gradient and Hessian of T.
+    // Compute gradient and Hessian of T.
     const Vector2d s1(p_ * slope(at.a, u.x()), p_ * slope(at.b, u.y()));
     Vector3d g(f1 * s1.x(), f1 * s1.y(), q_ * slope(at.c, u.z()));
     Matrix3d H = Matrix3d::Zero();
@@ -88,7 +88,7 @@ class Norm {
     H(0, 0) += f1 * p_ * bend(at.a, u.x(), p_);
     H(1, 1) += f1 * p_ * bend(at.b, u.y(), p_);
     H(2, 2) = q_ * bend(at.c, u.z(), q_);
-    // Scaled to a unit normal.
+    // Scale to a unit normal.
     g = g.cwiseProduct(inverse_);
     const double steep = g.norm();
     return {to_norm_(at.disc + at.c), g / steep,
@@ -98,7 +98,7 @@ class Norm {
  private:
   /// The point of |u|^k + |v|^k = 1 farthest along w, both >= 0.
   static Vector2d dual_shares(const Vector2d& w, double k) {
-    // Scaled by the largest, so that no power overflows.
+    // Scale by the largest, so that no power overflows.
     const double most = w.maxCoeff();
     if (!(most > 0)) return {1, 0};
     if (k == 1) return w.x() >= w.y() ? Vector2d(1, 0) : Vector2d(0, 1);
@@ -142,13 +142,13 @@ struct Bound {
 ///   (I + d K) step = (p - x) along the surface,  K the curvature at x.
 /// Zero where the curvature forbids it.
 Vector3d newton_step(const Norm::Value& at, const Vector3d& arm) {
-  // Curvature in the tangent plane.
+  // Compute the curvature in the tangent plane.
   const Tangents tangent = tangents(at.gradient);
   Eigen::Matrix<double, 3, 2> basis;
   basis << tangent.e1, tangent.e2;
   const Eigen::Matrix2d M = Eigen::Matrix2d::Identity() +
                             at.gradient.dot(arm) * at.norm * (basis.transpose() * at.bend * basis);
-  // The 2 x 2 system, if it is positive.
+  // Solve the 2 x 2 system, if it is positive definite.
   const Vector2d along = basis.transpose() * arm;
   const double det = M.determinant();
   if (!(det > 1e-9 && M.trace() > 0)) return Vector3d::Zero();
@@ -165,7 +165,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
               double enough) {
   Bound best;
   for (int i = 0; i < most; ++i) {
-    // Onto the surface; its tangent plane bounds the distance.
+    // Scale onto the surface; its tangent plane bounds the distance.
     if (i > 0) at = norm.value(x);
     x /= at.norm;
     const Vector3d arm = p - x;
@@ -173,7 +173,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
     if (!(distance > best.distance)) break;
     best = {distance, arm.norm() - std::abs(distance), at.gradient, x};
     if (best.gap <= enough) break;
-    // Newton's step along the surface.
+    // Take Newton's step along the surface.
     x = (x + newton_step(at, arm)).cwiseMax(0.0);
   }
   return best;
@@ -183,7 +183,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
 /// point from the normal in turn, which settles where the surface bends more sharply than p is far.
 Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double enough) {
   for (int i = 0; i < most && best.gap > enough; ++i) {
-    // Support point along the way from the surface to p.
+    // Find the support point in the direction from the surface to p.
     const Vector3d n = (p - best.x).normalized().cwiseMax(0.0).normalized();
     const Vector3d x = norm.support(n);
     const double distance = n.dot(p - x);
@@ -243,21 +243,21 @@ class Superellipsoid final : public Shape {
   NearestSurface find(const Vector3d& p) const {
     const Norm::Value at = norm_.value(p);
     const double norm = at.norm, enough = kEnough * size_;
-    // Outside: Newton's method from the radial point.
+    // Outside, apply Newton's method from the radial point.
     if (norm > 1) {
       const Bound bound = outside(p, p, at);
       if (bound.gap <= enough) return {bound.distance, bound.normal, true};
     }
-    // Otherwise from the tessellation's nearest point.
+    // Otherwise start at the tessellation's nearest point.
     const internal::NearestTriangle near = grid_.nearest(p, tree_);
     const double rough = std::copysign(std::sqrt(near.foot.squared), norm - 1);
     const Vector3d x = near.foot.point.cwiseMax(0.0);
     const Norm::Value there = norm_.value(x);
     const Bound bound = norm > 1 ? outside(p, x, there) : improve(norm_, p, x, there, 4, enough);
-    // A bound far below what the tessellation says is no good; its own error decides.
+    // Accept a bound that agrees with the tessellation within the tessellation's error.
     if (std::abs(bound.distance - rough) <= 1.05 * kTessellation * size_)
       return {bound.distance, bound.normal, true};
-    // The tessellation has the last word.
+    // Otherwise return the distance of the tessellation.
     const Vector3d way = (p - near.foot.point).cwiseMax(0.0);
     return {rough, rough > 0 && way.norm() > 0 ? Vector3d(way.normalized()) : bound.normal};
   }

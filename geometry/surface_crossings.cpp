@@ -40,7 +40,7 @@ struct PartBelow {
 
 /// Returns whether a segment comes within `near` of a triangle [m].
 bool meets(const TriangleForm& form, const Vector3d& p, const Vector3d& q, double near) {
-  // Between the two planes beside the triangle's, then inside its three edges.
+  // Test between the two planes beside the triangle's, then inside its three edges.
   const double at_p = form.normal.dot(p - form.corner[0]);
   const double at_q = form.normal.dot(q - form.corner[0]);
   if (std::min(at_p, at_q) > near || std::max(at_p, at_q) < -near) return false;
@@ -124,7 +124,7 @@ class CrossingSearch {
     const TriangleForm& b = tree_.forms()[j];
     const Vector3i of_a = mesh_.triangles.col(tree_.order()[i]);
     const Vector3i of_b = mesh_.triangles.col(tree_.order()[j]);
-    // Common corners: their places in both triangles.
+    // Find the common corners' places in both triangles.
     std::array<bool, 3> shared_a{}, shared_b{};
     int shared = 0;
     for (int k = 0; k < 3; ++k)
@@ -135,7 +135,7 @@ class CrossingSearch {
         }
     if (shared == 3) return true;
     if (shared == 2) return folded(a, shared_a, b, shared_b);
-    // An edge without a common corner goes through the other triangle.
+    // Test edges without a common corner against the other triangle.
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       if (!shared_a[k] && !shared_a[next] && meets(b, a.corner[k], a.corner[next], near_))

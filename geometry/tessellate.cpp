@@ -44,7 +44,7 @@ using Halves = std::map<Edge, int>;
 /// One triangle as the halves of its edges demand: left alone, or cut in two,
 /// three or four.
 void cut(const Vector3i& triangle, const Halves& halves, Growing& out) {
-  // Halved sides of the triangle.
+  // Find the halved sides of the triangle.
   std::array<int, 3> middle{};
   int marked = 0, corner = 0;
   for (int k = 0; k < 3; ++k) {
@@ -76,7 +76,7 @@ void cut(const Vector3i& triangle, const Halves& halves, Growing& out) {
 /// Halves every edge for which place(a, b) has a point; true if there was any.
 template <typename Place>
 bool halve(Growing& surface, const Place& place_middle) {
-  // Each edge once.
+  // Visit each edge once.
   Halves halves;
   std::map<Edge, bool> seen;
   for (const Vector3i& triangle : surface.triangles)
@@ -96,11 +96,11 @@ bool halve(Growing& surface, const Place& place_middle) {
 /// @param sides  1: the first octant only; 2: all
 Growing octahedron(const Shape& convex, int sides) {
   Growing surface;
-  // Six corners on the axes, or three.
+  // Add six corners on the axes, or three.
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < sides; ++side)
       surface.add(on_ray(convex, (side ? -1 : 1) * Vector3d::Unit(axis)));
-  // One triangle in each octant.
+  // Add one triangle in each octant.
   for (int x = 0; x < sides; ++x)
     for (int y = 0; y < sides; ++y)
       for (int z = 0; z < sides; ++z) {
@@ -113,7 +113,7 @@ Growing octahedron(const Shape& convex, int sides) {
 
 /// Corners move out by half of what the deepest triangle around them sinks in.
 void push_out(const Shape& convex, Growing& surface) {
-  // Depth of the deepest triangle at each corner.
+  // Find the depth of the deepest triangle at each corner.
   std::vector<double> depth(surface.vertices.size(), 0.0);
   for (const Vector3i& t : surface.triangles) {
     const Vector3d centre =
@@ -126,7 +126,7 @@ void push_out(const Shape& convex, Growing& surface) {
 }
 
 TriangleMesh refined(const Shape& convex, Growing surface, double tolerance) {
-  // Two rounds of halves for a first shape.
+  // Halve twice for a first shape.
   for (int i = 0; i < 2; ++i)
     halve(surface, [&](Vector3d& middle) {
       middle = on_ray(convex, middle.normalized());
@@ -134,7 +134,7 @@ TriangleMesh refined(const Shape& convex, Growing surface, double tolerance) {
     });
   // An edge sinks in three quarters as deep as its triangles; both sides share what is left.
   const double sunk = 0.75 * 0.8 * 2 * tolerance;
-  // Edges whose middles lie too deep, until there are none.
+  // Halve edges whose middles lie too deep, until there are none.
   for (int pass = 0; pass < 16; ++pass)
     if (!halve(surface, [&](Vector3d& middle) {
           const NearestSurface near = convex.nearest(middle);
@@ -170,7 +170,7 @@ int sides_of_circle(double radius, double tolerance) {
 double corner_overshoot(int sides) { return 2 / (1 + std::cos(kPi / sides)) - 1; }
 
 TriangleMesh surface_of_revolution(const std::vector<Vector2d>& profile, int sides) {
-  // Rings of corners between the two poles.
+  // Add rings of corners between the two poles.
   Growing surface;
   const int rings = static_cast<int>(profile.size()) - 2;
   const int bottom = surface.add({0, 0, profile.front().y()});
@@ -181,7 +181,7 @@ TriangleMesh surface_of_revolution(const std::vector<Vector2d>& profile, int sid
     }
   const int top = surface.add({0, 0, profile.back().y()});
   const auto at = [&](int ring, int k) { return 1 + ring * sides + k % sides; };
-  // Fans at the poles, quadrilaterals between rings.
+  // Add fans at the poles, and quadrilaterals between rings.
   for (int k = 0; k < sides; ++k) {
     surface.triangles.emplace_back(bottom, at(0, k + 1), at(0, k));
     for (int ring = 0; ring + 1 < rings; ++ring) {

@@ -29,7 +29,7 @@ void move_by(TriangleMesh& mesh, const Pose<double>& X) {
 }
 
 std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh) {
-  // Dealt out by the lesser vertex; few share one, so that the rest is quickly sorted.
+  // Distribute sides by their lower vertex; few share one, so that the rest is quickly sorted.
   const auto edge_of = [&](Eigen::Index t, int k) {
     return std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)});
   };
@@ -44,7 +44,7 @@ std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh) {
       const auto [low, high] = edge_of(t, k);
       sides[next[low]++] = {low, high, static_cast<int>(t), k, mesh.triangles(k, t) == low};
     }
-  // They were dealt in the order of triangles and sides, which a stable sort keeps.
+  // Sort stably by the other vertex, which keeps the order of triangles and sides.
   for (std::size_t i = 0; i + 1 < first.size(); ++i)
     std::stable_sort(sides.begin() + first[i], sides.begin() + first[i + 1],
                      [](const MeshSide& a, const MeshSide& b) { return a.high < b.high; });

@@ -29,10 +29,10 @@ void move_by(TriangleMesh& mesh, const Pose<double>& X);
 
 /// A side of a triangle, listed at the edge between two vertices.
 struct MeshSide {
-  int low, high;  // vertices of the edge, the smaller number first
-  int triangle;   // entry of the mesh
-  int side;       // starts at corner `side` of the triangle
-  bool upwards;   // whether the triangle traverses it from the smaller vertex to the larger
+  int low = 0, high = 0;  // vertices of the edge, the smaller number first
+  int triangle = 0;       // entry of the mesh
+  int side = 0;           // starts at corner `side` of the triangle
+  bool upwards = false;   // whether the triangle traverses it from the smaller vertex to the larger
 };
 
 /// Returns all sides, sorted by edge (low, high) and at each edge by triangle and side, in linear

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 TriangleForm TriangleForm::from_corners(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   TriangleForm form;
   form.corner = {a, b, c};
-  // From the shortest two edges: of a thin triangle nothing else keeps its digits.
+  // Start from the shortest two edges: of a thin triangle nothing else keeps its digits.
   std::array<Vector3d, 3> edge{b - a, c - b, a - c};
   int longest = 0;
   for (int k = 1; k < 3; ++k)
@@ -39,7 +39,7 @@ double thinness(const TriangleForm& form) {
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   const Eigen::Index count = mesh.triangles.cols();
-  // Boxes of all triangles, and the tree over them.
+  // Compute boxes of all triangles, and build the tree over them.
   std::vector<Eigen::AlignedBox3d> boxes(count);
   for (Eigen::Index t = 0; t < count; ++t)
     for (int k = 0; k < 3; ++k) boxes[t].extend(mesh.vertices.col(mesh.triangles(k, t)));
@@ -47,7 +47,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * count);
   build(0, static_cast<int>(count), boxes);
-  // Forms in the order of the tree.
+  // Store forms in the order of the tree.
   forms_.reserve(count);
   for (const int t : order_)
     forms_.push_back(TriangleForm::from_corners(mesh.vertices.col(mesh.triangles(0, t)),
@@ -66,7 +66,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
   constexpr int kLeafTriangles = 3;  // maximum number of triangles of a leaf
-  // Box of the node and of its triangles' centres.
+  // Compute the boxes of the node and of its triangles' centres.
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, 0, 0});
   Eigen::AlignedBox3d box, centres;
@@ -75,7 +75,7 @@ int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox
     centres.extend(boxes[order_[i]].center());
   }
   nodes_[here].box = box;
-  // A leaf.
+  // Store few triangles as a leaf.
   if (last - first <= kLeafTriangles) {
     nodes_[here].count = last - first;
     return here;
@@ -109,7 +109,7 @@ NearestTriangle TriangleTree::nearest(const Vector3d& p, NearestTriangle guess) 
     const Node& node = nodes_[next.node];
     for (int i = node.first; i < node.first + node.count; ++i) update_nearest(i, p, guess);
     if (node.count > 0) continue;
-    // The nearer child is searched first.
+    // Search the nearer child first.
     Waiting near{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};
     Waiting far{node.second, nodes_[node.second].box.squaredExteriorDistance(p)};
     if (far.squared < near.squared) std::swap(near, far);

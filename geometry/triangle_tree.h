@@ -48,11 +48,11 @@ struct TriangleForm {
 };
 
 inline bool TriangleForm::find_foot(const Eigen::Vector3d& p, double limit, FootPoint& foot) const {
-  // The plane excludes far triangles.
+  // Exclude far triangles by their plane.
   const Eigen::Vector3d from_first = p - corner[0];
   const double height = normal.dot(from_first), upright = height * height;
   if (upright > limit) return false;
-  // The nearest point is on the face, or on an edge with p on its outer side.
+  // Find the nearest point on the face, or on an edge with p on its outer side.
   foot.squared = std::numeric_limits<double>::infinity();
   bool over_face = true;
   for (int k = 0; k < 3; ++k) {

@@ -40,7 +40,7 @@ struct Ray {
   /// 1 where it leaves by a triangle, -1 where it comes in, 0 where it misses; nothing where it
   /// passes an edge or lies in the plane within rounding.
   [[nodiscard]] std::optional<int> crossing(const TriangleForm& form) const {
-    // Corners as seen along the ray; twice the areas that they span with the ray.
+    // Project the corners along the ray; compute twice the areas that they span with the ray.
     std::array<double, 3> x{}, y{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d arm = form.corner[k] - from;
@@ -56,7 +56,7 @@ struct Ray {
     }
     if (left > 0 && right > 0) return 0;
     if (left + right < 3) return std::nullopt;
-    // Ahead of the point or behind it.
+    // Count it only ahead of the point.
     const int sign = left == 3 ? 1 : -1;
     return sign * form.normal.dot(form.corner[0] - from) > 0 ? sign : 0;
   }
@@ -93,14 +93,14 @@ double solid_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 
 int winding_number(const TriangleTree& tree, const Vector3d& p) {
   if (!tree.bounds().contains(p)) return 0;
-  // Directions in no plane of symmetry that a designer draws.
+  // Use directions that lie in no common plane of symmetry.
   static const std::array<Vector3d, 6> directions{
       Vector3d(0.3541, 0.7713, 0.5289),  Vector3d(-0.6173, 0.2867, 0.7327),
       Vector3d(0.8219, -0.4363, 0.3671), Vector3d(0.1931, 0.5483, -0.8137),
       Vector3d(-0.4721, -0.2389, 0.849), Vector3d(0.2791, -0.9091, -0.3093)};
   for (const Vector3d& direction : directions)
     if (const std::optional<int> found = along(tree, Ray(p, direction))) return *found;
-  // On an edge of the surface, or next to it.
+  // Sum solid angles if the point is on an edge of the surface, or next to it.
   double sum = 0;
   for (const TriangleForm& form : tree.forms())
     sum += solid_angle(form.corner[0] - p, form.corner[1] - p, form.corner[2] - p);

@@ -48,11 +48,11 @@ void pose_tree_over(const Tree<T>& tree, const Q& q, TreeState<T>& state) {
   state.resize(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const Hinge<T>& hinge = tree[i];
-    // Rotation about the hinge.
+    // Rotate about the hinge.
     const T angle = T(hinge.ratio) * T(q[hinge.coordinate]) + T(hinge.offset);
     const Mat3<T> turn = rotation_about(hinge.direction, angle);
     LinkState<T>& link = state[i];
-    // The base does not move; other links move with their parents.
+    // Move links with their parents; the base does not move.
     if (hinge.parent < 0) {
       link.axis = hinge.direction;
       link.point = hinge.point;

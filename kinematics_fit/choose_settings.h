@@ -14,9 +14,9 @@ namespace thenar {
 /// Combination of choices that was tried.
 struct TriedSettings {
   std::vector<std::size_t> chosen;  // index of the value of each choice
-  double loss;   // mean over experiments and kinds of folds of log loss + log relative error of
-                 // held-out forces [nat]
-  double error;  // mean of the relative error alone [1]
+  double loss = 0;   // mean over experiments and kinds of folds of log loss + log relative error of
+                     // held-out forces [nat]
+  double error = 0;  // mean of the relative error alone [1]
 };
 
 /// Result of choose_settings(): the chosen settings, and the scores of all tried settings.

@@ -15,12 +15,13 @@ namespace thenar {
 
 /// Estimate of one coordinate with its posterior sd.
 struct CoordinateEstimate {
-  std::string name;   // name of the entry of z
-  double z;           // estimate, in prior sds [1]
-  double sd;          // posterior sd, in prior sds: 1 = nothing learnt [1]
-  double null_share;  // share of the coordinate in null directions, 0..1 [1]
-  bool at_bound;  // the estimate lies on a bound, which the sd ignores: the posterior ends there,
-                  // and if the data push against the bound, z is not a stationary point
+  std::string name;       // name of the entry of z
+  double z = 0;           // estimate, in prior sds [1]
+  double sd = 0;          // posterior sd, in prior sds: 1 = nothing learnt [1]
+  double null_share = 0;  // share of the coordinate in null directions, 0..1 [1]
+  /// The estimate lies on a bound, which the sd ignores: the posterior ends there, and if the data
+  /// push against the bound, z is not a stationary point.
+  bool at_bound = false;
 };
 
 /// Direction of z along which the data have no curvature: it is not identifiable.

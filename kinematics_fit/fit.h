@@ -33,11 +33,11 @@ struct Fit {
   FitInputs inputs;
   FitProblem problem;
   LeastSquaresMethod method;
-  unsigned seed;
+  unsigned seed = 0;
   Solution solution;
   Covariance covariance;
-  RunRecord run =
-      {};  // record of the command that fitted it; empty for library calls and in older files
+  /// Record of the command that fitted it; empty for library calls and in older files.
+  RunRecord run = {};
 };
 
 /// Returns the built-in settings for a digit: data/fits/thumb.toml or data/fits/finger.toml.

@@ -67,7 +67,7 @@ Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(probl
 /// removal of further ones.
 std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leverage& leverage,
                                     double rows) {
-  // Corrects the tail probability for the number of rows.
+  // Correct the tail probability for the number of rows.
   const ExperimentPlan& plan = problem.plans()[e];
   const auto tail_of = [&](Eigen::Index i, double squared) {
     const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()

@@ -11,11 +11,11 @@ namespace thenar {
 
 /// Trial whose measured force is far from that predicted by the others.
 struct OddTrial {
-  int experiment;    // index in FitProblem::experiments()
-  int trial;         // index in its trials, followed by its activation rows
-  double distance;   // distance of the force from that predicted by all others, in sds of their
-                     // difference; root of the sum of squares over the components [1]
-  double tail;       // upper bound of the probability of such an outlier among as many trials [1]
+  int experiment = 0;   // index in FitProblem::experiments()
+  int trial = 0;        // index in its trials, followed by its activation rows
+  double distance = 0;  // distance of the force from that predicted by all others, in sds of their
+                        // difference; root of the sum of squares over the components [1]
+  double tail = 0;   // upper bound of the probability of such an outlier among as many trials [1]
   int instead = -1;  // for the furthest trial: another one that may be wrong instead, at least half
                      // as far and no outlier without this one; -1: none
 };

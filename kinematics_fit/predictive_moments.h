@@ -14,8 +14,8 @@ inline constexpr int kMomentDraws = 1000;  // number of draws for a force beyond
 
 /// Median and width of the draws of a number, insensitive to outliers.
 struct RobustMoments {
-  double median;
-  double sd;  // half the width of the central 95 % over that of a standard normal
+  double median = 0;
+  double sd = 0;  // half the width of the central 95 % over that of a standard normal
 };
 
 /// Computes the moments of the finite values; NaN if there are none.

@@ -12,10 +12,10 @@ namespace thenar {
 
 /// Minimum cost with one coordinate held fixed.
 struct ProfilePoint {
-  double z;                  // fixed value, in prior sds [1]
-  double cost;               // 1/2 |r|^2 with all other coordinates refitted [1]
-  double rise;               // cost above the minimum of the profile [1]
-  double without_own_prior;  // rise of cost - z^2/2: data and the other priors only [1]
+  double z = 0;                  // fixed value, in prior sds [1]
+  double cost = 0;               // 1/2 |r|^2 with all other coordinates refitted [1]
+  double rise = 0;               // cost above the minimum of the profile [1]
+  double without_own_prior = 0;  // rise of cost - z^2/2: data and the other priors only [1]
 };
 
 /// Values at which a profile has risen by ProfileOptions::rise; empty if it does not within
@@ -35,8 +35,8 @@ struct Profile {
 
 /// Grid of a profile, and the rise that defines its bounds.
 struct ProfileOptions {
-  double half_width =
-      4;               // distance to each side of the estimate, in prior sds; clipped to bounds [1]
+  /// Distance to each side of the estimate, in prior sds; clipped to bounds [1].
+  double half_width = 4;
   int steps = 8;       // number of grid steps to each side [1]
   double rise = 1.92;  // half the 95 % point of chi squared with one degree of freedom [1]
   SolveOptions solver;

@@ -11,10 +11,10 @@ namespace thenar {
 
 /// Deviation of a specimen from the population in one coordinate, and its derivatives.
 struct SpecimenDeviation {
-  double u;              // deviation [SI]
-  double by_x;           // du/dx [SI]
-  double by_population;  // du / d population, nonzero near bounds of the sum [1]
-  double by_log_factor;  // du / d log factor [SI]
+  double u = 0;              // deviation [SI]
+  double by_x = 0;           // du/dx [SI]
+  double by_population = 0;  // du / d population, nonzero near bounds of the sum [1]
+  double by_log_factor = 0;  // du / d log factor [SI]
 };
 
 /// Computes the deviation of a specimen.

@@ -41,7 +41,7 @@ ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const Dig
   length_at_zero_ = whole_lengths(*whole_tendons_, zero);
   const TendonTorque pull = whole_tendons_->evaluate(
       zero, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size())));
-  if (!trusted(pull.status)) zero_warning_ = pull.warning;
+  if (!is_trusted(pull.status)) zero_warning_ = pull.warning;
 }
 
 Eigen::VectorXd ExcitedMuscles::lengthening(const Eigen::VectorXd& q) const {

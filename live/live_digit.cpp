@@ -61,7 +61,7 @@ std::vector<std::string> lower_rungs(const DigitRequest& request, const Fidelity
 /// Adds the warning of the tendon solver, if there is one.
 void add_solver_warning(const DigitPoint& point, std::vector<std::string>& warnings) {
   if (!point.pull.warning.empty())
-    warnings.push_back((trusted(point.pull.status) ? "" : "not to be trusted: ") +
+    warnings.push_back((is_trusted(point.pull.status) ? "" : "not to be trusted: ") +
                        point.pull.warning);
 }
 
@@ -191,7 +191,7 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const TensionBaseline& 
 Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
   // Moment arms of an unreliable solution are unknown.
   Eigen::MatrixXd arms = point.pull.R;
-  if (!trusted(point.pull.status)) return arms.setConstant(kNaN);
+  if (!is_trusted(point.pull.status)) return arms.setConstant(kNaN);
   if (case_.net == nullptr) return arms;
   // The lines of a slack muscle of a net are undetermined, so it has no moment arm.
   const bool known = why_not_differentiable(case_.net->net().net, point.rest).empty();
@@ -201,7 +201,7 @@ Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point, const Eigen::VectorX
 }
 
 Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
-  if (!trusted(point.pull.status)) return Eigen::VectorXd::Constant(t.size(), kNaN);
+  if (!is_trusted(point.pull.status)) return Eigen::VectorXd::Constant(t.size(), kNaN);
   Eigen::VectorXd lengths = case_.tendons->lengths(point.q, t, point.pull);
   if (case_.net == nullptr) return lengths;
   // The lines of a slack muscle are undetermined.
@@ -272,7 +272,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
         curves.warnings.push_back(fmt::format("first doubt over the sweep, at {:.4g} deg: {}",
                                               degrees(curves.angle[k]), warning));
     }
-    if (!trusted(point.pull.status)) continue;
+    if (!is_trusted(point.pull.status)) continue;
     curves.arms.col(k) = arms_at(point, t).col(varied);
     curves.lengths.col(k) = lengths_at(point, t) - baseline_.zero_length;
   }
@@ -287,7 +287,7 @@ LiveInstant LiveDigit::instant() const {
   // Append the arrow of the tip force; an unreliable force has zero length.
   const Eigen::Vector3d tip = moved(pose_tree(model.tree, point.q), model.tip_link, model.tip);
   LiveVector force{subject_pose() * tip, {0, 0, 0}};
-  if (trusted(point.pull.status)) force.vector = subject_pose().R * point.tip.f_W;
+  if (is_trusted(point.pull.status)) force.vector = subject_pose().R * point.tip.f_W;
   instant.arrows.push_back(force);
   return instant;
 }

@@ -31,7 +31,7 @@ struct DigitState {
   Eigen::VectorXd length;      // lengths of the muscles' lines minus those with all joints at 0
                                // under the same tensions; NaN if unreliable, and for slack muscles
                                // of a net [m] (muscles)
-  DigitPoint point;            // tendon solution; valid if trusted(point.pull.status)
+  DigitPoint point;            // tendon solution; valid if is_trusted(point.pull.status)
   Eigen::MatrixXd arms;  // moment arms, flexion and radial positive; NaN if unreliable, for slack
                          // muscles of a net, and where the torque is not differentiable [m/rad]
                          // (muscles, coordinates)

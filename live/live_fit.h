@@ -25,8 +25,8 @@ struct LiveTrial {
 /// Relative position of two neighbouring axes, with the interval that holds 90 % of the draws.
 struct LiveAxisPair {
   NeighbouringAxes axes;
-  AxisOffset estimate;   // fitted offset, or the mean of each number over the draws [rad], [m]
-  AxisOffset low, high;  // 5 % and 95 % quantiles of the draws; for a fit, the estimate
+  AxisOffset estimate;      // fitted offset, or the mean of each number over the draws [rad], [m]
+  AxisOffset lower, upper;  // 5 % and 95 % quantiles of the draws; for a fit, the estimate
 };
 
 /// Live fit. It shows one trial: the digit of its specimen with the fitted axes and tendons, in the

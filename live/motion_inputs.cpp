@@ -18,11 +18,16 @@ bool slides_along(const MovingScene& scene, int coordinate) {
 }
 
 /// Checks that values are numbers within +/- `limit`. @throws InputError otherwise, also for NaN
-void check_magnitudes(const std::map<std::string, double>& values, const std::string& kind,
+void check_magnitudes(const std::map<std::string, double>& values, MotionInputKind kind,
                       const std::string& unit, double limit) {
   for (const auto& [name, value] : values)
-    require(std::abs(value) <= limit, "{} of '{}': wanted a number within {:g} {}, got {}", kind,
-            name, limit, unit, value);
+    require(std::abs(value) <= limit, "{} of '{}': wanted a number within {:g} {}, got {}",
+            name_in(kMotionInputKindNames, kind), name, limit, unit, value);
+}
+
+/// Returns the kind of a control: muscles are pulled by a tension [N], or contract.
+MotionInputKind kind_of(const ElementControl& control) {
+  return control.unit == "N" ? MotionInputKind::kTension : MotionInputKind::kExcitation;
 }
 
 }  // namespace
@@ -35,7 +40,8 @@ MotionInputTable::MotionInputTable(const SceneStepper& stepper) {
     coordinate_indices_[coordinates[c].name] = static_cast<int>(c);
   }
   for (ElementControl& control : stepper.controls()) {
-    if (control.unit == "N") control.upper = std::min(control.upper, kMaxMotionTension);
+    if (kind_of(control) == MotionInputKind::kTension)
+      control.upper = std::min(control.upper, kMaxMotionTension);
     controls_[control.name] = control;
   }
 }
@@ -52,24 +58,24 @@ int MotionInputTable::coordinate_index(const std::string& name) const {
 }
 
 const ElementControl& MotionInputTable::control_named(const std::string& name,
-                                                      const std::string& unit) const {
+                                                      MotionInputKind kind) const {
   const auto found = controls_.find(name);
   if (found != controls_.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& [known, control] : controls_)
-    if (control.unit == unit) names.push_back(known);
-  return controls_.at(names[index_of_name(name, names, unit == "N" ? "tension" : "excitation")]);
+    if (kind_of(control) == kind) names.push_back(known);
+  return controls_.at(names[index_of_name(name, names, name_in(kMotionInputKindNames, kind))]);
 }
 
 void MotionInputTable::check_controls(const std::map<std::string, double>& values,
-                                      const std::string& unit) const {
+                                      MotionInputKind kind) const {
   for (const auto& [name, value] : values) {
-    const ElementControl& control = control_named(name, unit);
-    require(control.unit == unit, "'{}' {}", name,
-            unit == "N" ? "contracts by itself: set its excitation"
-                        : "is pulled by a given tension: set that");
+    const ElementControl& control = control_named(name, kind);
+    require(kind_of(control) == kind, "'{}' {}", name,
+            kind == MotionInputKind::kTension ? "contracts by itself: set its excitation"
+                                              : "is pulled by a given tension: set that");
     require(value >= control.lower && value <= control.upper, "'{}' must be {} to {:g} {}, got {}",
-            name, control.lower, control.upper, unit, value);
+            name, control.lower, control.upper, control.unit, value);
   }
 }
 
@@ -77,13 +83,13 @@ void MotionInputTable::check_inputs(const MotionInputs& inputs, const SceneStepp
   // Check names and ranges.
   for (const auto& [name, value] : inputs.efforts) (void)coordinate_index(name);
   for (const std::string& name : inputs.release) (void)coordinate_index(name);
-  check_magnitudes(inputs.efforts, "effort", "N m or N", kMaxMotionEffort);
-  check_magnitudes(inputs.targets, "target", "rad or m", kMaxMotionTarget);
+  check_magnitudes(inputs.efforts, MotionInputKind::kEffort, "N m or N", kMaxMotionEffort);
+  check_magnitudes(inputs.targets, MotionInputKind::kTarget, "rad or m", kMaxMotionTarget);
   for (const auto& [name, value] : inputs.targets)
     require(stepper.first_stiff_drive(coordinate_index(name)) != nullptr,
             "no drive with stiffness moves '{}': set its effort instead", name);
-  check_controls(inputs.tensions, "N");
-  check_controls(inputs.excitations, "1");
+  check_controls(inputs.tensions, MotionInputKind::kTension);
+  check_controls(inputs.excitations, MotionInputKind::kExcitation);
   // A coordinate has either an effort or a target.
   for (const auto& [name, value] : inputs.efforts)
     for (const auto& [other, target] : inputs.targets)
@@ -115,9 +121,9 @@ void MotionInputTable::set(const MotionInputs& inputs, SceneStepper& stepper) {
   }
   // Set tensions and excitations.
   for (const auto& [name, value] : inputs.tensions)
-    stepper.set_control(control_named(name, "N").name, value);
+    stepper.set_control(control_named(name, MotionInputKind::kTension).name, value);
   for (const auto& [name, value] : inputs.excitations)
-    stepper.set_control(control_named(name, "1").name, value);
+    stepper.set_control(control_named(name, MotionInputKind::kExcitation).name, value);
 }
 
 std::vector<MotionInput> MotionInputTable::list(const SceneStepper& stepper) const {
@@ -133,15 +139,16 @@ std::vector<MotionInput> MotionInputTable::list(const SceneStepper& stepper) con
     const int index = static_cast<int>(c);
     const bool slides = slides_along(stepper.scene(), index);
     const double limit = stepper.max_effort(index);
-    out.push_back({name, "effort", slides ? "N" : "N m", -limit, limit, given(efforts_, index)});
+    out.push_back({name, MotionInputKind::kEffort, slides ? "N" : "N m", -limit, limit,
+                   given(efforts_, index)});
     if (stepper.first_stiff_drive(index) != nullptr)
-      out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
-                     given(targets_, index)});
+      out.push_back({name, MotionInputKind::kTarget, slides ? "m" : "rad", ranges[c].lower,
+                     ranges[c].upper, given(targets_, index)});
   }
   // List the tensions and excitations of muscles.
   for (const ElementControl& control : stepper.controls())
-    out.push_back({control.name, control.unit == "N" ? "tension" : "excitation", control.unit,
-                   control.lower, control.upper, control.set});
+    out.push_back(
+        {control.name, kind_of(control), control.unit, control.lower, control.upper, control.set});
   return out;
 }
 

@@ -2,11 +2,13 @@
 
 /// Inputs of a moving scene, set by name: efforts, targets, tensions and excitations.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "dynamics/stepping/scene_stepper.h"
 
 namespace thenar {
@@ -25,10 +27,17 @@ struct MotionInputs {
   std::vector<std::string> release;           // coordinates to return to the scene's own drives
 };
 
+/// Kinds of inputs of a motion.
+enum class MotionInputKind { kEffort, kTarget, kTension, kExcitation };
+inline constexpr std::array kMotionInputKindNames{
+    EnumName{MotionInputKind::kEffort, "effort"}, EnumName{MotionInputKind::kTarget, "target"},
+    EnumName{MotionInputKind::kTension, "tension"},
+    EnumName{MotionInputKind::kExcitation, "excitation"}};
+
 /// Input of a motion that can be set, and its current value.
 struct MotionInput {
   std::string name;
-  std::string kind;             // "effort", "target", "tension", "excitation"
+  MotionInputKind kind = MotionInputKind::kEffort;
   std::string unit;             // "N m", "N", "rad", "m", "1"
   double lower = 0, upper = 0;  // limits of the drive, joint or muscle; infinite: unknown
   std::optional<double> set;    // value that was set; absent: the scene's own
@@ -55,8 +64,8 @@ class MotionInputTable {
  private:
   [[nodiscard]] int coordinate_index(const std::string& name) const;
   [[nodiscard]] const ElementControl& control_named(const std::string& name,
-                                                    const std::string& unit) const;
-  void check_controls(const std::map<std::string, double>& values, const std::string& unit) const;
+                                                    MotionInputKind kind) const;
+  void check_controls(const std::map<std::string, double>& values, MotionInputKind kind) const;
   void check_inputs(const MotionInputs& inputs, const SceneStepper& stepper) const;
 
   std::vector<std::string> coordinates_;

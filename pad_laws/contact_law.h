@@ -61,8 +61,8 @@ class ContactLaw {
 namespace internal {
 /// Radius  1 / sqrt(k1 k2)  of a gap, and its ratio of radii, k1 / k2 >= 1.
 struct GapRadius {
-  double radius;  // [m]
-  double ratio;   // [1]
+  double radius = 0;  // [m]
+  double ratio = 0;   // [1]
 };
 /// Returns the radius of a gap. @throws InputError unless k1 >= k2 are finite.
 [[nodiscard]] GapRadius radius_of(const RelativeCurvatures& gap);

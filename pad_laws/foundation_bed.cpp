@@ -20,8 +20,7 @@ using Eigen::VectorXd;
 constexpr std::size_t kReservedTouches = 256;  // columns for which memory is reserved
 constexpr double kMinHistoryForce = 1e-12;     // force below which history is dropped [N]
 constexpr Index kLeafColumns = 12;             // columns of a leaf of the tree, tested together
-constexpr double kTurnArm = 10e-3;    // lever arm that converts rotations to displacements [m]
-constexpr double kLevelSlope = 1e-3;  // least slope between the surfaces [1]
+constexpr double kLevelSlope = 1e-3;           // least slope between the surfaces [1]
 // Least cosine of the normals of object and skin on the object's far side [1]
 constexpr double kFarSideCosine = 0.5;
 // Margin below the friction cone within which a column slips, over the cone's bound [1]
@@ -39,6 +38,41 @@ Matrix sorted(const Matrix& columns, const std::vector<Index>& order) {
   Matrix out(columns.rows(), columns.cols());
   for (std::size_t i = 0; i < order.size(); ++i) out.col(i) = columns.col(order[i]);
   return out;
+}
+
+/// Forces of a column's history at the end of a step.
+struct PastForces {
+  double normal = 0;           // normal force [N]
+  Vector3d friction{0, 0, 0};  // friction on the skin [N] (3)
+};
+
+PastForces past_forces(Index i, const MemoryStep& weights, const BedState& state) {
+  PastForces past;
+  for (std::size_t j = 0; j < weights.decay.size(); ++j) {
+    past.normal += weights.decay[j] * state.terms(j, i) - weights.change[j] * state.elastic[i];
+    past.friction += weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) -
+                     weights.change[j] * state.shear.col(i);
+  }
+  return past;
+}
+
+/// Advances a column's elastic forces and its history terms to the end of a step.
+/// @return whether a history term is above kMinHistoryForce
+bool advance_history(Index i, const MemoryStep& weights, double elastic, const Vector3d& shear,
+                     BedState& state) {
+  bool remains = false;
+  for (std::size_t j = 0; j < weights.decay.size(); ++j) {
+    state.terms(j, i) =
+        weights.decay[j] * state.terms(j, i) + weights.change[j] * (elastic - state.elastic[i]);
+    state.shear_terms.block<3, 1>(3 * j, i) =
+        weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) +
+        weights.change[j] * (shear - state.shear.col(i));
+    remains = remains || std::abs(state.terms(j, i)) > kMinHistoryForce ||
+              state.shear_terms.block<3, 1>(3 * j, i).norm() > kMinHistoryForce;
+  }
+  state.elastic[i] = elastic;
+  state.shear.col(i) = shear;
+  return remains;
 }
 
 }  // namespace
@@ -191,32 +225,6 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
   return contact;
 }
 
-Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const Pose<double>& X_PO,
-                                                     double step) const {
-  check_pose(X_PO, 0);
-  require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
-  Eigen::Matrix<double, 6, 6> K;
-  for (int k = 0; k < 6; ++k) {
-    // Scale rotations so that they cause `step` at the lever kTurnArm.
-    const double way = k < 3 ? step / kTurnArm : step;
-    const auto push = [&](double by) {
-      Pose<double> X = X_PO;
-      if (k < 3) {
-        const Eigen::Matrix3d turn = rotation_about<double>(Vector3d::Unit(k), by);
-        X = {turn * X.R, turn * X.p};
-      } else {
-        X.p[k - 3] += by;
-      }
-      const Wrench found = press(object, X).push;
-      Eigen::Matrix<double, 6, 1> out;
-      out << found.moment, found.force;
-      return out;
-    };
-    K.col(k) = (push(way) - push(-way)) / (2 * way);
-  }
-  return K;
-}
-
 void FoundationBed::initialize(BedState& state) const {
   const Index count = columns_.skin.cols(), terms = static_cast<Index>(terms_.size());
   // Initialize an empty state at rest.
@@ -273,61 +281,46 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
 
 bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
                                 const StepInputs& inputs, BedState& state) const {
-  const MemoryStep& weights = inputs.weights;
-  // Sum the history of the normal force and of friction.
-  double history = 0;
-  Vector3d past = Vector3d::Zero();
-  for (std::size_t j = 0; j < terms_.size(); ++j) {
-    history += weights.decay[j] * state.terms(j, i) - weights.change[j] * state.elastic[i];
-    past += weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) -
-            weights.change[j] * state.shear.col(i);
-  }
-  const double f = weights.now * elastic + history;
-  Vector3d shear, t = Vector3d::Zero();
-  bool sticks = false;
-  const bool touches = elastic > 0 && f > 0, touched = state.touching[i];
-  if (touches) {
-    if (!touched) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
-    // Compute the trial force of a column that sticks to its anchor on the object.
-    const double spring = constants_.shear * columns_.area[i] / columns_.thickness[i];
-    const double limit = inputs.friction * f;
-    const Vector3d way =
-        inputs.X_PO * Vector3d(state.anchor.col(i)) - Vector3d(columns_.skin.col(i));
-    past -= n * n.dot(past);
-    shear = spring * (way - n * n.dot(way));
-    t = weights.now * shear + past;
-    sticks = t.norm() < (1 - kStickMargin) * limit;
-    // If it slips, scale friction back to the cone, and move the anchor to where the spring agrees.
-    if (t.norm() > limit) {
-      t *= limit / t.norm();
-      shear = (t - past) / weights.now;
-      if (spring > 0)
-        state.anchor.col(i) =
-            inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + shear / spring);
-    }
-  } else {
-    // A free column has the elastic forces that cancel its history.
-    elastic = std::max(0.0, -history / weights.now);
-    shear = -past / weights.now;
-  }
-  // Advance the history terms, and drop the history once all of them are negligible.
-  bool remembers = touches;
-  for (std::size_t j = 0; j < terms_.size(); ++j) {
-    state.terms(j, i) =
-        weights.decay[j] * state.terms(j, i) + weights.change[j] * (elastic - state.elastic[i]);
-    state.shear_terms.block<3, 1>(3 * j, i) =
-        weights.decay[j] * state.shear_terms.block<3, 1>(3 * j, i) +
-        weights.change[j] * (shear - state.shear.col(i));
-    remembers = remembers || std::abs(state.terms(j, i)) > kMinHistoryForce ||
-                state.shear_terms.block<3, 1>(3 * j, i).norm() > kMinHistoryForce;
-  }
-  state.remembers[i] = remembers;
-  state.elastic[i] = elastic;
-  state.shear.col(i) = shear;
-  state.normal_force[i] = touches ? f : 0;
-  state.shear_force.col(i) = t;
+  const double now = inputs.weights.now;
+  const PastForces past = past_forces(i, inputs.weights, state);
+  const double force = now * elastic + past.normal;
+  const bool touches = elastic > 0 && force > 0;
+  // A free column has the elastic forces that cancel its history.
+  ColumnFriction friction{-past.friction / now};
+  if (touches)
+    friction = stick_or_slip(i, n, force, past.friction, inputs, state);
+  else
+    elastic = std::max(0.0, -past.normal / now);
+  state.remembers[i] =
+      advance_history(i, inputs.weights, elastic, friction.elastic, state) || touches;
+  state.normal_force[i] = touches ? force : 0;
+  state.shear_force.col(i) = friction.force;
   state.touching[i] = touches;
-  return sticks;
+  return friction.sticks;
+}
+
+FoundationBed::ColumnFriction FoundationBed::stick_or_slip(Index i, const Vector3d& n, double force,
+                                                           Vector3d past, const StepInputs& inputs,
+                                                           BedState& state) const {
+  if (!state.touching[i]) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
+  // Compute the trial force of a column that sticks to its anchor on the object.
+  const double spring = constants_.shear * columns_.area[i] / columns_.thickness[i];
+  const double limit = inputs.friction * force;
+  const Vector3d displacement =
+      inputs.X_PO * Vector3d(state.anchor.col(i)) - Vector3d(columns_.skin.col(i));
+  past -= n * n.dot(past);
+  ColumnFriction out{spring * (displacement - n * n.dot(displacement))};
+  out.force = inputs.weights.now * out.elastic + past;
+  out.sticks = out.force.norm() < (1 - kStickMargin) * limit;
+  // If it slips, scale friction back to the cone, and move the anchor to where the spring agrees.
+  if (out.force.norm() > limit) {
+    out.force *= limit / out.force.norm();
+    out.elastic = (out.force - past) / inputs.weights.now;
+    if (spring > 0)
+      state.anchor.col(i) =
+          inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + out.elastic / spring);
+  }
+  return out;
 }
 
 }  // namespace thenar

@@ -76,13 +76,6 @@ class FoundationBed {
   [[nodiscard]] BedContact step(const Shape& object, const Pose<double>& X_PO, double friction,
                                 double seconds, BedState& state) const;
 
-  /// Returns the slope of press()'s wrench by the object's motion, moment and rotation first, about
-  /// the pad's origin (6, 6), by central differences.
-  /// @param step  displacement; rotations cause the same at a lever of 10 mm [m]
-  /// @throws InputError as press(), or unless the step is positive and finite.
-  [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(const Shape& object, const Pose<double>& X_PO,
-                                                      double step = 1e-6) const;
-
   /// Returns the columns in the order of the state.
   [[nodiscard]] const FoundationColumns& columns() const { return columns_; }
   [[nodiscard]] const FoundationConstants& constants() const { return constants_; }
@@ -116,6 +109,11 @@ class FoundationBed {
     double friction;
     MemoryStep weights;
   };
+  struct ColumnFriction {
+    Eigen::Vector3d elastic;         // friction as if nothing relaxed [N] (3)
+    Eigen::Vector3d force{0, 0, 0};  // friction on the skin [N] (3)
+    bool sticks = false;
+  };
   void initialize(BedState& state) const;
   /// Computes one step of a column.
   /// @param elastic  force of its spring as if nothing relaxed [N]
@@ -123,6 +121,13 @@ class FoundationBed {
   /// @return whether the column sticks
   bool move_column(Eigen::Index i, double elastic, const Eigen::Vector3d& n,
                    const StepInputs& inputs, BedState& state) const;
+  /// Computes the friction of a touching column. Sets its anchor at first touch, and moves it if
+  /// the column slips.
+  /// @param force  normal force [N]
+  /// @param past  friction of the history [N] (3)
+  [[nodiscard]] ColumnFriction stick_or_slip(Eigen::Index i, const Eigen::Vector3d& n, double force,
+                                             Eigen::Vector3d past, const StepInputs& inputs,
+                                             BedState& state) const;
   void sum_contact(const Touches& found, const Eigen::VectorXd& forces, double friction,
                    BedContact& contact) const;
 

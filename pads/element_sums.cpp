@@ -51,8 +51,8 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
   // Compute the determinant, and F^-T from the cofactors.
   const Lanes J = F[0] * C[0] + F[1] * C[1] + F[2] * C[2];
   put(out.J + q, J);
-  const Lanes over = 1.0 / J;
-  for (Lanes& each : C) each *= over;
+  const Lanes reciprocal = 1.0 / J;
+  for (Lanes& each : C) each *= reciprocal;
   // Compute the spatial gradients  g_a = F^-T dN_a/dX.
   for (int a = 0; a < N; ++a) {
     const Lanes x = lanes_at(gradient + (3 * a) * points + q),

@@ -208,27 +208,8 @@ void HexMesh::refine(const std::vector<int>& cells) {
   }
 }
 
-void HexMesh::coarsen(const std::vector<int>& cells) {
-  for (const int index : cells) {
-    HexCell& cell = cells_[index];
-    const int first = cell.first_child;
-    if (first < 0) continue;
-    // Skip cells with a child that has children.
-    const bool bare = std::all_of(cells_.begin() + first, cells_.begin() + first + 8,
-                                  [](const HexCell& child) { return child.first_child < 0; });
-    if (!bare) continue;
-    // Remove the children, and restore them if the balance is lost.
-    cell.first_child = -1;
-    list_active();
-    if (must_split(cell)) {
-      cells_[index].first_child = first;
-      list_active();
-    }
-  }
-}
-
 void HexMesh::list_active() {
-  // Descend from the coarsest cells, so that removed children are skipped.
+  // Descend from the coarsest cells.
   active_.clear();
   std::vector<int> open;
   for (std::size_t c = 0; c < cells_.size(); ++c)

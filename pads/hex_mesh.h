@@ -45,8 +45,8 @@ struct HexCell {
 
 /// Weight of a node in a weighted mean of nodes.
 struct NodeWeight {
-  int node;
-  double weight;  // [1]
+  int node = 0;
+  double weight = 0;  // [1]
 };
 
 /// Mesh of active cells (without children) with 2:1 balance: an edge or a face meets at most two
@@ -62,9 +62,6 @@ class HexMesh {
 
   /// Splits cells into eight, and further cells to keep the balance. Skips cells with children.
   void refine(const std::vector<int>& cells);
-  /// Replaces the children of cells by the cells, where all eight are active and the balance allows
-  /// it.
-  void coarsen(const std::vector<int>& cells);
 
   [[nodiscard]] const std::vector<HexCell>& cells() const { return cells_; }
   /// Returns the cells without children, in increasing order.
@@ -118,7 +115,7 @@ class HexMesh {
 
 /// Face of an active cell.
 struct HexFace {
-  int cell;
+  int cell = 0;
   std::array<int, 4> nodes;  // corners in two rows, as of hex_faces()
 };
 /// Returns the faces of active cells all of whose nodes are marked, in the order of the cells.

@@ -62,25 +62,22 @@ PadConstant constant_of(const PadData& data, const PadDataConstant& named, const
   return out;
 }
 
+/// Object of a press.
+struct TurnedObject {
+  std::shared_ptr<const Shape> shape;
+  double top;  // distance of its surface from its origin towards the pad [m]
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // rotation before the press's angle (3, 3)
+};
+
 /// Builds the object of a press.
 /// @param size  largest length of the pad [m]
-/// @param top   output: distance of the object's surface from its origin towards the pad [m]
-/// @param turn  output: rotation of the object's frame before the press's angle (3, 3)
-std::shared_ptr<const Shape> object_of(const PadDataPress& press, double size, double& top,
-                                       Eigen::Matrix3d& turn) {
-  turn.setIdentity();
-  if (press.object == "sphere") {
-    top = press.radius;
-    return build_sphere(press.radius);
-  }
-  if (press.object == "cylinder") {
-    // Its axis, z of the shape, lies along y.
-    turn = rotation_about<double>(Vector3d(1, 0, 0), EIGEN_PI / 2);
-    top = press.radius;
-    return build_cylinder(press.radius, 4 * size);
-  }
-  top = 2 * size;
-  return build_box(Vector3d::Constant(4 * size));
+TurnedObject object_of(const PadDataPress& press, double size) {
+  if (press.object == "sphere") return {build_sphere(press.radius), press.radius};
+  // The axis of a cylinder, z of the shape, lies along y.
+  if (press.object == "cylinder")
+    return {build_cylinder(press.radius, 4 * size), press.radius,
+            rotation_about<double>(Vector3d(1, 0, 0), EIGEN_PI / 2)};
+  return {build_box(Vector3d::Constant(4 * size)), 2 * size};
 }
 
 /// Returns the course of a press.
@@ -88,12 +85,11 @@ PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   PressCourse out;
   // Place the object far enough away, turned by its angle, with its top towards the pad.
   const double size = std::max({pad.length, pad.width, pad.height});
-  double top = 0;
-  Eigen::Matrix3d turn;
-  out.object = {object_of(press, size, top, turn), press.friction};
+  const TurnedObject object = object_of(press, size);
+  out.object = {object.shape, press.friction};
   out.along = -Vector3d(std::sin(press.angle), 0, std::cos(press.angle));
-  out.X_PO.R = rotation_about<double>(Vector3d(0, 1, 0), press.angle) * turn;
-  out.X_PO.p = -(top + 2 * size) * out.along;
+  out.X_PO.R = rotation_about<double>(Vector3d(0, 1, 0), press.angle) * object.turn;
+  out.X_PO.p = -(object.top + 2 * size) * out.along;
   // Collect the loads in rising order, with those that ratios refer to.
   std::set<double> loads;
   for (const PadDataRows& rows : press.rows) {

@@ -184,9 +184,10 @@ void PressIterate::add_node_block(std::size_t k, const Matrix3d& block) {
       tissue.tangent[body.diagonal_entry(surface.nodes[k], r, c)] += block(r, c);
 }
 
-bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matrix3Xd&)>& loss,
-                                       const std::function<VectorXd(const VectorXd&)>& solve,
-                                       VectorXd& dx, double& motion) const {
+std::optional<double> PressIterate::solve_object_motion(
+    const std::function<Matrix3Xd(const Matrix3Xd&)>& loss,
+    const std::function<VectorXd(const VectorXd&)>& solve, VectorXd& dx) const {
+  if (!goal.force) return 0.0;
   // Compute the forces lost by a unit motion of the object, and the body's response to them.
   const Matrix3Xd lost = loss(goal.along.replicate(1, static_cast<Eigen::Index>(contacts.size())));
   const VectorXd follows = solve(body_forces(lost));
@@ -195,11 +196,12 @@ bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matri
   };
   // Eliminate the body: the Schur complement is the stiffness of the object's motion.
   const double schur = lost_along(lost) - lost_along(loss(surface_displacements(follows)));
-  if (!(schur > 0)) return false;
-  motion = std::clamp((force_deficit + lost_along(loss(surface_displacements(dx)))) / schur,
-                      -max_motion, max_motion);
+  if (!(schur > 0)) return std::nullopt;
+  const double motion =
+      std::clamp((force_deficit + lost_along(loss(surface_displacements(dx)))) / schur, -max_motion,
+                 max_motion);
   dx += motion * follows;
-  return true;
+  return motion;
 }
 
 void PressIterate::advance(const Matrix3Xd& u, const VectorXd& dx, double object_motion) {

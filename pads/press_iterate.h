@@ -73,15 +73,16 @@ struct PressIterate : PressProblem {
   void add_node_block(std::size_t k, const Eigen::Matrix3d& block);
 
   /// Solves for the motion of the object along the goal's direction, which is one more unknown of
-  /// a step to a given force.
-  /// @param loss    loss of contact forces as nodes move against the object [N] (3, nodes)
-  /// @param solve   solution with the matrix of this iteration
-  /// @param dx      in: Newton step with the object at rest; out: with the object moving [m]
-  /// @param motion  motion of the object, output [m]
-  /// @return false if the object has no positive stiffness
-  bool solve_object_motion(const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& loss,
-                           const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
-                           Eigen::VectorXd& dx, double& motion) const;
+  /// a step to a given force, and adds the body's response to the Newton step.
+  /// @param loss   loss of contact forces as nodes move against the object [N] (3, nodes)
+  /// @param solve  solution with the matrix of this iteration
+  /// @param dx     in: Newton step with the object at rest; out: with the object moving [m]
+  /// @return motion of the object, 0 in a step without a given force [m]; none: the object has no
+  ///         positive stiffness
+  [[nodiscard]] std::optional<double> solve_object_motion(
+      const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& loss,
+      const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
+      Eigen::VectorXd& dx) const;
 
   /// Moves body and object, and predicts the pressure after the motion.
   /// @param u  displacements of all nodes before [m] (3, nodes)

@@ -35,15 +35,13 @@ VectorXd solve_coupled(const PressIterate& iterate, const VectorXd& b) {
 bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
   // Solve for the step; to reach a force the object's motion is one more unknown.
   VectorXd dx = solve_coupled(iterate, -iterate.residual);
-  double motion = 0;
-  if (iterate.goal.force &&
-      !iterate.solve_object_motion(
-          [&](const Matrix3Xd& moved) { return contact_force_loss(iterate, moved); },
-          [&](const VectorXd& b) { return solve_coupled(iterate, b); }, dx, motion))
-    return false;
+  const std::optional<double> motion = iterate.solve_object_motion(
+      [&](const Matrix3Xd& moved) { return contact_force_loss(iterate, moved); },
+      [&](const VectorXd& b) { return solve_coupled(iterate, b); }, dx);
+  if (!motion) return false;
   // Predict the contact forces after the step.
   Matrix3Xd moved = iterate.surface_displacements(dx);
-  moved.colwise() -= motion * iterate.goal.along;
+  moved.colwise() -= *motion * iterate.goal.along;
   const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     const SkinNodeContact& c = iterate.contacts[k];
@@ -55,7 +53,7 @@ bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
       iterate.state.friction_force.col(k) =
           c.friction_force - lost_friction(iterate, k, moved.col(k), lost);
   }
-  iterate.advance(u, dx, motion);
+  iterate.advance(u, dx, *motion);
   return true;
 }
 

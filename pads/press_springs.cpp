@@ -156,11 +156,11 @@ class SpringPress {
     if (!factor()) return false;
     // Solve for the step; to reach a force the object's motion is one more unknown.
     dx_ = solve(-iterate_.residual);
-    if (iterate_.goal.force &&
-        !iterate_.solve_object_motion(
-            [&](const Matrix3Xd& moved) { return iterate_.springs->force_loss(moved); },
-            [&](const VectorXd& b) { return solve(b); }, dx_, line_.object_motion))
-      return false;
+    const std::optional<double> motion = iterate_.solve_object_motion(
+        [&](const Matrix3Xd& moved) { return iterate_.springs->force_loss(moved); },
+        [&](const VectorXd& b) { return solve(b); }, dx_);
+    if (!motion) return false;
+    line_.object_motion = *motion;
     // Predict the change of the potential by its slope.
     line_.predicted_change =
         iterate_.residual.dot(dx_) - iterate_.force_deficit * line_.object_motion;

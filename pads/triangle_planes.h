@@ -56,8 +56,8 @@ struct TrianglePlane {
 /// in barycentric coordinates, in which the triangle has the area 1/2.
 struct PlaneRidge {
   std::array<Eigen::Vector3d, 2> points;  // Gauss points, exact for products of three functions
-  double length;                          // [1]
-  double difference_slope;                // slope of the planes' difference across the ridge [m]
+  double length = 0;                      // [1]
+  double difference_slope = 0;            // slope of the planes' difference across the ridge [m]
 };
 
 /// Planes of a convex object over a triangle. Inside the object, the distance to the object is the

@@ -21,14 +21,14 @@ struct ForceNoise {
   /// @param robust_scale  c [noise sds]; 0: normal
   explicit ForceNoise(double robust_scale);
 
-  double c2;  // c^2; infinite: normal [1]
+  double c2 = 0;  // c^2; infinite: normal [1]
 
   /// Returns the logarithm of C. @param components  d, 2 or 3
   [[nodiscard]] double log_constant(int components) const;
 
   /// Logarithm of (1 + m / c^2)^(-c^2 / 2), and the weight: -2 times its derivative by m.
   struct Tail {
-    double log_density, weight;
+    double log_density = 0, weight = 0;
   };
   /// Evaluates the tail at the squared distance m [1].
   [[nodiscard]] Tail tail(double m) const;
@@ -36,9 +36,9 @@ struct ForceNoise {
 
 /// Log density of one measured force and its derivatives.
 struct TaskDensity {
-  double log_density;
+  double log_density = 0;
   Eigen::Matrix3Xd by_unit;  // derivative by the forces of unit pulls [1/N] (3, pulls)
-  double by_log_noise;       // derivative by the logarithm of a factor on sd [1]
+  double by_log_noise = 0;   // derivative by the logarithm of a factor on sd [1]
 };
 
 /// Computes the density of a force produced by muscles with uncertain activation; the true tensions

@@ -13,9 +13,9 @@ namespace thenar {
 /// which is the same line without s, but with a - s u and b - s v [m]. So s can be left out without
 /// loss.
 struct Gauge {
-  int along;     // coordinate of s
-  int point[2];  // coordinates of a and b; -1: the axis is not tilted and they have no effect
-  int tilt[2];   // parameters u and v
+  int along = 0;   // coordinate of s
+  int point[2]{};  // coordinates of a and b; -1: the axis is not tilted and they have no effect
+  int tilt[2]{};   // parameters u and v
 };
 
 /// Finds the shifts along an axis that can be left out: shifts that move nothing else, of axes that

@@ -114,8 +114,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
 
   // List the entries of x.
   const FitProblem& fit = parts.problem;
-  parts.entries =
-      list_entries(fit, options.learn_noise, options.learn_specimen_scale, options.sphere_priors);
+  parts.entries = list_entries(fit, options);
   require(!parts.entries.coordinates.empty(),
           "nothing to sample: every free parameter shifts an axis along itself, or is held by its "
           "bounds");

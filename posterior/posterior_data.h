@@ -22,7 +22,7 @@ struct ObservedForces : ActivationPlan {
 
 /// Log likelihood of all measurements of an experiment at one point, with its derivative.
 struct DataDensity {
-  double log_density, by_log_noise;  // log likelihood, and its derivative by log_noise [1]
+  double log_density = 0, by_log_noise = 0;  // log likelihood, and its derivative by log_noise [1]
 };
 /// Computes the log likelihood of all measurements of an experiment at one point.
 /// @param forces     predicted forces of all columns of the plan (3 columns)

@@ -143,12 +143,11 @@ std::optional<BoundedNormal> CoordinateEntry::bounds(double k) const {
   return BoundedNormal(lower / k, upper / k);
 }
 
-PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
-                              bool learn_specimen_scale, bool sphere_priors) {
-  EntryLister lister(problem, learn_specimen_scale && problem.specimens().size() > 1);
-  if (sphere_priors) lister.pair_tilts();
+PosteriorEntries list_entries(const FitProblem& problem, const PosteriorOptions& options) {
+  EntryLister lister(problem, options.learn_specimen_scale && problem.specimens().size() > 1);
+  if (options.sphere_priors) lister.pair_tilts();
   PosteriorEntries out = lister.entries();
-  if (learn_noise) out.noise_scales = static_cast<int>(problem.experiments().size());
+  if (options.learn_noise) out.noise_scales = static_cast<int>(problem.experiments().size());
   return out;
 }
 

@@ -10,6 +10,7 @@
 
 #include "posterior/bounded_table.h"
 #include "posterior/gauge.h"
+#include "posterior/posterior_options.h"
 
 namespace thenar {
 
@@ -17,11 +18,11 @@ namespace thenar {
 ///   k sd z(x; lower / k, upper / k),    k the specimen_scale factor of its kind, or 1.
 /// An entry of a specimen whose sum with the population is bounded adds specimen_deviation().
 struct CoordinateEntry {
-  int z;                // index of the entry of z
-  int coordinate;       // index of the coordinate of u
-  int specimen;         // index of the specimen, or kPopulation: all specimens
-  double sd;            // prior sd of the coordinate [SI]
-  double lower, upper;  // bounds of z; infinite if not bounded [1]
+  int z = 0;                    // index of the entry of z
+  int coordinate = 0;           // index of the coordinate of u
+  int specimen = 0;             // index of the specimen, or kPopulation: all specimens
+  double sd = 0;                // prior sd of the coordinate [SI]
+  double lower = 0, upper = 0;  // bounds of z; infinite if not bounded [1]
   std::shared_ptr<const BoundedTable> table;  // table of the map, if the bounds are constant and
                                               // near enough; shared by entries of equal bounds
   int specimen_scale = -1;                    // index of the specimen_scale factor; -1: none
@@ -33,11 +34,11 @@ struct CoordinateEntry {
 
 /// Both tilts of an axis, of the population or of a specimen, with a von Mises-Fisher prior.
 struct TiltPair {
-  int x[2];        // entries of the tilts
-  int centre[2];   // entries of the population's tilts; -1: none, the population stays at the mean
-  double mean[2];  // prior mean of the population [rad]
-  double log_constant;  // logarithm of the density's constant over that of normal tilts, without
-                        // specimen_scale [1]
+  int x[2]{};       // entries of the tilts
+  int centre[2]{};  // entries of the population's tilts; -1: none, the population stays at the mean
+  double mean[2]{};         // prior mean of the population [rad]
+  double log_constant = 0;  // logarithm of the density's constant over that of normal tilts,
+                            // without specimen_scale [1]
 };
 
 /// Layout of x: entries of z in their order, then noise factors, then specimen_scale factors.
@@ -63,8 +64,9 @@ struct PosteriorEntries {
   }
 };
 
-/// Lists the entries of x of a problem with its optional factors and sphere priors.
-[[nodiscard]] PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
-                                            bool learn_specimen_scale, bool sphere_priors);
+/// Lists the entries of x of a problem, with the factors and sphere priors that the options
+/// request.
+[[nodiscard]] PosteriorEntries list_entries(const FitProblem& problem,
+                                            const PosteriorOptions& options);
 
 }  // namespace thenar

@@ -10,10 +10,10 @@ namespace thenar {
 
 /// Log density of tilts t and its derivatives.
 struct TiltDensity {
-  double log_density;           // [1]
-  Eigen::Vector2d by_tilt;      // derivative by the tilt [1/rad] (2)
-  Eigen::Vector2d by_centre;    // derivative by the centre [1/rad] (2)
-  double by_log_concentration;  // derivative by the logarithm of the concentration [1]
+  double log_density = 0;           // [1]
+  Eigen::Vector2d by_tilt;          // derivative by the tilt [1/rad] (2)
+  Eigen::Vector2d by_centre;        // derivative by the centre [1/rad] (2)
+  double by_log_concentration = 0;  // derivative by the logarithm of the concentration [1]
 };
 
 /// Computes the von Mises-Fisher density of a direction d(t) = (d0 + t_1 e1 + t_2 e2) / sqrt(1 +

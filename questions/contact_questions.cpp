@@ -50,7 +50,7 @@ RequestTable<ContactQualityRequest> contact_params() {
   table
       .add("volume", flag_schema(), &Request::volume,
            "Compute the volume, which takes 80 to 5,000 times as long as epsilon.", "!no-volume")
-      .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
+      .off_description = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
   return table;
 }
@@ -78,7 +78,7 @@ RequestTable<GraspRequest> grasp_params() {
   table
       .add("approach", flag_schema(), &Request::approach,
            "Approach along the palm's direction before closing (default).", "approach,!no-approach")
-      .off_about = "Close the hand where it is, without approaching first.";
+      .off_description = "Close the hand where it is, without approaching first.";
   table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
             "Farthest approach.", "approach-distance,way");
   table.add("starts", integer_schema(0, 1e9), &Request::starts,

@@ -36,7 +36,7 @@ enum class QuestionPace {
 /// Question with its parameters and the function that answers it.
 struct Question {
   std::string name;           // "tip_force"
-  std::string about;          // description, one sentence
+  std::string description;    // one sentence
   std::vector<Param> params;  // parameters of the request
   std::string example;        // a valid request as JSON; tests ask it
   std::string command;        // command that asks the question: "tip-force"

@@ -19,6 +19,7 @@ Json json_from(const TomlNode& node, const std::string& path) {
     case TomlKind::kText:
       return node.text;
     case TomlKind::kNumber:
+      if (std::isnan(node.number)) throw DataError(path, node.line, "no parameter is nan");
       // Keep integers as integers.
       if (node.number == std::floor(node.number) && std::abs(node.number) < 1e15)
         return static_cast<long>(node.number);
@@ -60,10 +61,36 @@ std::string toml_of(const OrderedJson& value) {
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
+/// Returns the form of a value, to be filled in: "[{joint = \"..\", from = ..}]".
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
+std::string form_of(const Schema& schema) {
+  switch (schema.kind) {
+    case Schema::Kind::kNumber:
+    case Schema::Kind::kInteger:
+      return "..";
+    case Schema::Kind::kText:
+      return "\"..\"";
+    case Schema::Kind::kFlag:
+      return "true";
+    case Schema::Kind::kList:
+      return "[" + form_of(*schema.element) + "]";
+    case Schema::Kind::kMap:
+      return "{NAME = " + form_of(*schema.element) + "}";
+    case Schema::Kind::kObject:
+      break;
+  }
+  std::string members;
+  for (const SchemaMember& member : schema.members)
+    members += (members.empty() ? "" : ", ") + member.name + " = " + form_of(member.schema);
+  return "{" + members + "}";
+}
+
 }  // namespace
 
 Answer RequestFile::ask(const Progress& progress) const {
   try {
+    // Check the request in the words of TOML first.
+    (void)request_in_si(question->params, request, RequestSyntax::kToml);
     return question->ask(request, "", progress);
   } catch (const InputError& error) {
     // Report the line of the key that sets the field, in either unit.
@@ -114,15 +141,15 @@ std::string request_text(const std::string& question, const OrderedJson& request
 
 std::string request_template(const Question& question) {
   // Write each parameter, with its default value as a comment, so that the file is valid.
-  std::string text =
-      fmt::format("# {}\n{} = {}\n", question.about, kQuestionKey, toml_quoted(question.name));
+  std::string text = fmt::format("# {}\n{} = {}\n", question.description, kQuestionKey,
+                                 toml_quoted(question.name));
   const Json example = Json::parse(question.example);
   for (const Param& param : question.params) {
     // Use keys in printed units, because users edit the file.
     if (param.is_twin) continue;
     const std::string key = param.key_in(UnitSystem::kPrinted);
     const Schema schema = param.schema_in(UnitSystem::kPrinted);
-    text += fmt::format("\n# {}\n", param.member.about);
+    text += fmt::format("\n# {}\n", param.member.description);
     if (!schema.words.empty()) text += fmt::format("# One of {}.\n", listed(schema.words));
     if (example.contains(key))
       text += fmt::format("{} = {}\n", toml_key(key), toml_of(example[key]));
@@ -131,7 +158,7 @@ std::string request_template(const Question& question) {
           "# {} = {}\n", toml_key(key),
           toml_of(value_in(param.member.default_value, param.unit, UnitSystem::kPrinted)));
     else
-      text += fmt::format("# {} =\n", toml_key(key));
+      text += fmt::format("# {} = {}\n", toml_key(key), form_of(schema));
   }
   return text;
 }

@@ -86,7 +86,7 @@ std::string Param::key_in(UnitSystem system) const { return key_with(member.name
 
 Schema Param::schema_in(UnitSystem system) const { return with_unit(member.schema, unit, system); }
 
-Json request_in_si(const std::vector<Param>& params, const Json& request) {
+Json request_in_si(const std::vector<Param>& params, const Json& request, RequestSyntax syntax) {
   require(request.is_object(), "wanted a request with names and values, got {}",
           json_text(request, -1).substr(0, 40));
   Json si = Json::object();
@@ -96,7 +96,7 @@ Json request_in_si(const std::vector<Param>& params, const Json& request) {
     const std::string& name = param->member.name;
     try {
       require(!si.contains(name), "'{}' is given twice, in two units", name);
-      const Json fits = validated(param->schema_in(system), value, key);
+      const Json fits = validated(param->schema_in(system), value, key, syntax);
       si[name] = system == UnitSystem::kSi ? fits : from_printed(fits, param->unit);
     } catch (const InputError& error) {
       throw InputError(error.what(), name);
@@ -105,9 +105,9 @@ Json request_in_si(const std::vector<Param>& params, const Json& request) {
   // Check that all required parameters are there, in either unit.
   for (const Param& param : params)
     if (param.member.required && !si.contains(param.member.name))
-      throw InputError(
-          fmt::format("'{}' is missing: {}", param.key_in(UnitSystem::kSi), param.member.about),
-          param.member.name);
+      throw InputError(fmt::format("'{}' is missing: {}", param.key_in(UnitSystem::kSi),
+                                   param.member.description),
+                       param.member.name);
   return si;
 }
 

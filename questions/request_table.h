@@ -34,9 +34,9 @@ struct Param {
   std::optional<std::string> option = {};
   std::string form = "NAME=number";  // syntax of a number by name: "MUSCLE=newton"
   ParamScope scope = ParamScope::kAnywhere;
-  bool is_positional = false;  // true: a positional argument of commands
-  bool is_twin = false;        // true: the previous parameter in another unit
-  std::string off_about = {};  // help of the options that clear a flag, one sentence
+  bool is_positional = false;        // true: a positional argument of commands
+  bool is_twin = false;              // true: the previous parameter in another unit
+  std::string off_description = {};  // help of the options that clear a flag, one sentence
 
   /// Returns the key with its unit: "hold_length_m", "hold_length_mm".
   [[nodiscard]] std::string key_in(UnitSystem system) const;
@@ -46,9 +46,11 @@ struct Param {
 
 /// Checks a request, and converts it to SI with keys without units.
 /// @param request  object whose keys have SI or printed units
+/// @param syntax   language in which it was written
 /// @throws InputError with the field, for an unknown key, a key given in two units, an invalid
 ///         value or a missing parameter
-[[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request);
+[[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request,
+                                 RequestSyntax syntax = RequestSyntax::kJson);
 
 /// Returns the schema of a request whose keys have SI units.
 /// @param scope  kAnywhere: without local parameters

@@ -17,15 +17,21 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-3;  // deviation of a quaternion's length from 1 [1]
 
+/// Returns the word for a value with named members.
+const char* object_word(RequestSyntax syntax) {
+  return syntax == RequestSyntax::kToml ? "a table" : "an object";
+}
+
 /// Describes the values that a schema accepts, for messages: "a number [m]".
-std::string description(const Schema& schema) {
+std::string description(const Schema& schema, RequestSyntax syntax) {
   const std::string unit = schema.unit.empty() ? "" : fmt::format(" [{}]", schema.unit);
   // State the bounds of numbers, the words or lengths of texts, the sizes of lists and maps.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger: {
       const char* const what = schema.kind == Schema::Kind::kNumber ? "a number" : "a whole number";
-      if (schema.accepts_infinity) return fmt::format("{}{} or \"inf\"", what, unit);
+      if (schema.accepts_infinity)
+        return what + unit + (syntax == RequestSyntax::kToml ? " or inf" : " or \"inf\"");
       const bool low = std::isfinite(schema.lower), high = std::isfinite(schema.upper);
       if (low && high)
         return fmt::format("{} from {} to {}{}", what, schema.lower, schema.upper, unit);
@@ -42,27 +48,29 @@ std::string description(const Schema& schema) {
       if (schema.min_size == schema.max_size) return fmt::format("a list of {}", schema.min_size);
       return fmt::format("a list of {} to {} entries", schema.min_size, schema.max_size);
     case Schema::Kind::kMap:
-      return fmt::format("an object of at most {} members{}", schema.max_size,
+      return fmt::format("{} of at most {} members{}", object_word(syntax), schema.max_size,
                          schema.accepts_list ? ", or a list" : "");
     case Schema::Kind::kObject:
       break;
   }
-  return "an object";
+  return object_word(syntax);
 }
 
 /// Describes a received value in few words: numbers and short texts as they are, others by kind.
-std::string brief(const Json& value) {
+std::string brief(const Json& value, RequestSyntax syntax) {
   constexpr std::size_t kMaxQuoted = 40;  // longest text that is quoted [bytes]
   if (value.is_number() || value.is_boolean() || value.is_null()) return json_text(value, -1);
   if (value.is_string()) {
     const std::string text = json_text(value, -1);
     return text.size() <= kMaxQuoted ? text : fmt::format("a text of {} bytes", text.size() - 2);
   }
-  return value.is_array() ? fmt::format("a list of {}", value.size()) : "an object";
+  return value.is_array() ? fmt::format("a list of {}", value.size()) : object_word(syntax);
 }
 
-[[noreturn]] void refuse(const Schema& schema, const Json& value, const std::string& where) {
-  throw InputError(fmt::format("{}: wanted {}, got {}", where, description(schema), brief(value)));
+[[noreturn]] void refuse(const Schema& schema, const Json& value, const std::string& where,
+                         RequestSyntax syntax) {
+  throw InputError(fmt::format("{}: wanted {}, got {}", where, description(schema, syntax),
+                               brief(value, syntax)));
 }
 
 bool is_within(const Schema& schema, std::size_t size) {
@@ -103,29 +111,32 @@ void require_unit(const Schema& schema, const Json& value, const std::string& wh
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
-Json checked_list(const Schema& schema, const Json& value, const std::string& where) {
-  if (!value.is_array() || !is_within(schema, value.size())) refuse(schema, value, where);
+Json checked_list(const Schema& schema, const Json& value, const std::string& where,
+                  RequestSyntax syntax) {
+  if (!value.is_array() || !is_within(schema, value.size())) refuse(schema, value, where, syntax);
   Json out = Json::array();
   for (std::size_t i = 0; i < value.size(); ++i)
-    out.push_back(validated(*schema.element, value[i], fmt::format("{}.{}", where, i)));
+    out.push_back(validated(*schema.element, value[i], fmt::format("{}.{}", where, i), syntax));
   require_unit(schema, value, where);
   return out;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
-Json checked_map(const Schema& schema, const Json& value, const std::string& where) {
-  if (!value.is_object() || !is_within(schema, value.size())) refuse(schema, value, where);
+Json checked_map(const Schema& schema, const Json& value, const std::string& where,
+                 RequestSyntax syntax) {
+  if (!value.is_object() || !is_within(schema, value.size())) refuse(schema, value, where, syntax);
   Json out = Json::object();
   for (const auto& [name, entry] : value.items()) {
     require_name(name, OutsideUse::kRead, where);
-    out[name] = validated(*schema.element, entry, where + "." + name);
+    out[name] = validated(*schema.element, entry, where + "." + name, syntax);
   }
   return out;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
-Json checked_object(const Schema& schema, const Json& value, const std::string& where) {
-  if (!value.is_object()) refuse(schema, value, where);
+Json checked_object(const Schema& schema, const Json& value, const std::string& where,
+                    RequestSyntax syntax) {
+  if (!value.is_object()) refuse(schema, value, where, syntax);
   if (schema.accepts_any_member) return value;
   // Refuse unknown members, which are usually misspelt.
   const std::vector<std::string> names = names_of(schema.members);
@@ -136,12 +147,13 @@ Json checked_object(const Schema& schema, const Json& value, const std::string& 
   Json out = Json::object();
   for (const SchemaMember& member : schema.members) {
     if (value.contains(member.name))
-      out[member.name] = validated(member.schema, value[member.name], where + "." + member.name);
+      out[member.name] =
+          validated(member.schema, value[member.name], where + "." + member.name, syntax);
     else if (!member.default_value.is_null())
       out[member.name] = member.default_value;
     else
       require(!member.required, "{}: '{}' is missing, wanted {}", where, member.name,
-              description(member.schema));
+              description(member.schema, syntax));
   }
   return out;
 }
@@ -233,29 +245,30 @@ Schema rotation_schema() {
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
-Json validated(const Schema& schema, const Json& value, const std::string& where) {
+Json validated(const Schema& schema, const Json& value, const std::string& where,
+               RequestSyntax syntax) {
   // Check the bounds of the kind; lists, maps and objects check their contents.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger:
-      if (!fits_number(schema, value)) refuse(schema, value, where);
+      if (!fits_number(schema, value)) refuse(schema, value, where, syntax);
       return value;
     case Schema::Kind::kText:
-      if (!fits_text(schema, value)) refuse(schema, value, where);
+      if (!fits_text(schema, value)) refuse(schema, value, where, syntax);
       if (schema.use) require_name(value.get_ref<const std::string&>(), *schema.use, where);
       return value;
     case Schema::Kind::kFlag:
-      if (!value.is_boolean()) refuse(schema, value, where);
+      if (!value.is_boolean()) refuse(schema, value, where, syntax);
       return value;
     case Schema::Kind::kList:
-      return checked_list(schema, value, where);
+      return checked_list(schema, value, where, syntax);
     case Schema::Kind::kMap:
-      return schema.accepts_list && value.is_array() ? checked_list(schema, value, where)
-                                                     : checked_map(schema, value, where);
+      return schema.accepts_list && value.is_array() ? checked_list(schema, value, where, syntax)
+                                                     : checked_map(schema, value, where, syntax);
     case Schema::Kind::kObject:
       break;
   }
-  return checked_object(schema, value, where);
+  return checked_object(schema, value, where, syntax);
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
@@ -296,7 +309,7 @@ OrderedJson json_schema(const Schema& schema) {
       OrderedJson required = OrderedJson::array();
       for (const SchemaMember& member : schema.members) {
         OrderedJson property = json_schema(member.schema);
-        property["description"] = member.about;
+        property["description"] = member.description;
         if (!member.default_value.is_null()) property["default"] = member.default_value;
         out["properties"][member.name] = std::move(property);
         if (member.required) required.push_back(member.name);

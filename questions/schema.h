@@ -15,6 +15,9 @@ namespace thenar {
 
 struct SchemaMember;
 
+/// Language in which a request was written: messages about it use its words.
+enum class RequestSyntax { kJson, kToml };
+
 /// Type of a JSON value with its limits. Build one by the functions below.
 struct Schema {
   enum class Kind { kNumber, kInteger, kText, kFlag, kList, kObject, kMap };
@@ -37,7 +40,7 @@ struct Schema {
 struct SchemaMember {
   std::string name;
   Schema schema;
-  std::string about;  // description, one sentence
+  std::string description;  // one sentence
   bool required = false;
   Json default_value = nullptr;  // value if the member is missing; null: none
 };
@@ -73,10 +76,12 @@ struct SchemaMember {
 [[nodiscard]] Schema rotation_schema();
 
 /// Checks a value, and adds default values of missing members.
-/// @param where  name of the value in messages: "params"
+/// @param where   name of the value in messages: "params"
+/// @param syntax  kToml: "wanted a table", kJson: "wanted an object"
 /// @throws InputError "params.position.2: wanted a number [m], got text", or with the nearest name
 ///         of an unknown member
-[[nodiscard]] Json validated(const Schema& schema, const Json& value, const std::string& where);
+[[nodiscard]] Json validated(const Schema& schema, const Json& value, const std::string& where,
+                             RequestSyntax syntax = RequestSyntax::kJson);
 
 /// Converts a schema to JSON Schema (draft 2020-12), with units as "x-unit".
 [[nodiscard]] OrderedJson json_schema(const Schema& schema);

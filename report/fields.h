@@ -70,6 +70,10 @@ inline constexpr FieldUnit kRadianPerSecondBare{"rad_per_s", ""};
 inline constexpr FieldUnit kMillimetrePerSecondShort{"m_per_s", "mm_s", 1, kMm};
 inline constexpr FieldUnit kNewtonBare{"N", ""};
 inline constexpr FieldUnit kNewtonMetreBare{"N_m", ""};
+inline constexpr FieldUnit kSecondBare{"s", ""};
+inline constexpr FieldUnit kJouleBare{"J", ""};
+inline constexpr FieldUnit kPascalBare{"Pa", ""};
+inline constexpr FieldUnit kSquareMetreBare{"m2", ""};
 }  // namespace units
 
 /// Units in which fields are written.

@@ -36,7 +36,7 @@ Json cleaned(double value) {
 SweepAxes axes_of(const PostureGrid& grid, const std::vector<std::string>& joints,
                   std::size_t done) {
   SweepAxes axes;
-  axes.row = grid.row;
+  axes.row_length = grid.row;
   axes.values.resize(static_cast<Eigen::Index>(done),
                      static_cast<Eigen::Index>(grid.varied.size()));
   for (std::size_t k = 0; k < grid.varied.size(); ++k) {
@@ -73,15 +73,15 @@ Json curve_chart(const SweepAxes& axes, const std::string& caption, const std::s
   const Eigen::Index last = axes.values.cols() - 1;
   const auto count = static_cast<std::size_t>(axes.values.rows());
   for (const Curve& curve : curves)
-    for (std::size_t begin = 0; begin < count; begin += axes.row) {
+    for (std::size_t begin = 0; begin < count; begin += axes.row_length) {
       Json x = Json::array(), y = Json::array();
-      for (std::size_t i = begin; i < std::min(begin + axes.row, count); ++i) {
+      for (std::size_t i = begin; i < std::min(begin + axes.row_length, count); ++i) {
         x.push_back(axes.values(static_cast<Eigen::Index>(i), last));
         y.push_back(cleaned(curve.y(static_cast<Eigen::Index>(i))));
       }
       const std::string family = title_of_first(axes, begin, axes.names.size() - 1);
       series.push_back(curve_json(curve.name + (family.empty() ? "" : ", " + family), x, y,
-                                  axes.row < 2 ? "points" : "lines"));
+                                  axes.row_length < 2 ? "points" : "lines"));
     }
   return lines_block(caption, axes.names.back() + " [" + axes.units.back() + "]", y_label,
                      std::move(series));

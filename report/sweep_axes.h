@@ -18,7 +18,7 @@ struct SweepAxes {
   std::vector<std::string> names;  // names of joints; the last one varies fastest
   std::vector<std::string> units;  // unit of each: "deg" or "mm"
   Eigen::MatrixXd values;          // values in these units (rows, names)
-  std::size_t row = 1;             // rows that differ in the last joint only
+  std::size_t row_length = 1;      // number of consecutive rows that differ in the last joint only
 
   [[nodiscard]] bool single() const { return names.empty(); }
 };

@@ -131,7 +131,7 @@ RpcAnswer Engine::answer_at_once(const RpcRequest& request) {
   const bool busy = !running_request_.method.empty();
   const double seconds = busy ? seconds_between(running_request_.since, EngineClock::now()) : 0;
   return {status_json(running_request_.method, seconds, running_request_.fraction,
-                      running_request_.text, jobs_.size()),
+                      running_request_.activity, jobs_.size()),
           std::nullopt};
 }
 
@@ -287,7 +287,7 @@ Progress Engine::progress_of(int client, const Json& id) {
     {
       const std::lock_guard<std::mutex> running(mutex_);
       running_request_.fraction = fraction;
-      running_request_.text = what;
+      running_request_.activity = what;
     }
     // Notify the client, and after a while all clients.
     const auto to = client_of(client);

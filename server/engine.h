@@ -34,8 +34,8 @@ struct EngineOptions {
 struct RunningRequest {
   std::string method;  // "": none
   Publisher::Clock::time_point since;
-  double fraction = 0;  // last reported progress [1]
-  std::string text;     // last reported activity
+  double fraction = 0;   // last reported progress [1]
+  std::string activity;  // last reported
 };
 
 /// Session with a queue of requests. All functions are thread-safe.

@@ -17,6 +17,20 @@ std::map<std::string, double> named_numbers(const Json& params, const std::strin
   return numbers;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+OrderedJson reply_json(const Fields& fields) {
+  OrderedJson json = OrderedJson::object();
+  for (const Field& field : fields.all()) {
+    const OrderedJson value = field.is_list ? list_of_each<OrderedJson>(field.parts, reply_json)
+                              : field.parts.empty()
+                                  ? value_in(field.value, field.unit, UnitSystem::kSi)
+                                  : reply_json(field.parts.front());
+    if (*field.unit.printed == '\0') json[field.key] = value;
+    json[key_with(field.key, field.unit, UnitSystem::kSi)] = value;
+  }
+  return json;
+}
+
 void MethodTable::add(RpcMethod method) {
   require(!has_method(method.name), "there are two methods '{}'", method.name);
   methods_.push_back(std::move(method));

@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "questions/schema.h"
+#include "report/fields.h"
 #include "report/json.h"
 
 namespace thenar {
@@ -28,11 +29,11 @@ struct RpcMethod {
   using Handler =
       std::function<OrderedJson(Session& session, const Json& params, const Progress& progress)>;
 
-  std::string name;     // "hand.close"
-  std::string about;    // description, one sentence
-  Schema params;        // schema of the parameters, an object
-  std::string returns;  // description of the result, with units
-  std::string example;  // valid parameters as JSON; tests send them
+  std::string name;         // "hand.close"
+  std::string description;  // one sentence
+  Schema params;            // schema of the parameters, an object
+  std::string returns;      // description of the result, with units
+  std::string example;      // valid parameters as JSON; tests send them
   Handler handler;
   MethodWrites writes = MethodWrites::kNothing;
 };
@@ -41,6 +42,10 @@ struct RpcMethod {
 /// @param params  validated parameters
 [[nodiscard]] std::map<std::string, double> named_numbers(const Json& params,
                                                           const std::string& member);
+
+/// Returns a reply in SI, the unit in each key: "gap_m". A field whose key had no unit in earlier
+/// versions (units::kMetreBare) is also written under that key: "gap".
+[[nodiscard]] OrderedJson reply_json(const Fields& fields);
 
 /// Table of methods by name, in the order of the documentation.
 class MethodTable {

@@ -100,13 +100,13 @@ std::string example_of(const RpcMethod& method) {
 }
 
 std::string section_of(const RpcMethod& method) {
-  std::string out = fmt::format("### {}\n\n{}\n", method.name, wrapped_text(method.about));
+  std::string out = fmt::format("### {}\n\n{}\n", method.name, wrapped_text(method.description));
   if (!method.params.members.empty()) {
     out += "| parameter | type | default | description |\n|---|---|---|---|\n";
     for (const SchemaMember& member : method.params.members)
       out += fmt::format("| `{}` | {} | {} | {} |\n", member.name,
                          escaped_cell(type_text(member.schema)), escaped_cell(default_text(member)),
-                         escaped_cell(member.about));
+                         escaped_cell(member.description));
     out += "\n";
   }
   // Add the result and an example; texts of several sentences already have a full stop.

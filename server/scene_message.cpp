@@ -62,11 +62,11 @@ OrderedJson text_or_null(const std::optional<std::string>& text) {
 
 }  // namespace
 
-OrderedJson scene_message(const LiveShape& shape, unsigned long revision, const std::string& mode,
+OrderedJson scene_message(const LiveShape& shape, unsigned long revision, LiveMode mode,
                           MeshStore& meshes) {
   meshes.begin_scene();
   OrderedJson out{{"revision", static_cast<std::uint32_t>(revision)},
-                  {"mode", mode},
+                  {"mode", name_in(kLiveModeNames, mode)},
                   {"up", {0, 0, 1}},
                   {"eye", to_json(shape.eye)},
                   {"target", to_json(shape.target)}};
@@ -87,7 +87,7 @@ OrderedJson scene_message(const LiveShape& shape, unsigned long revision, const 
 OrderedJson scene_message(Session& session) {
   const LiveModel* model = session.shown_model();
   return scene_message(model == nullptr ? LiveShape() : model->shape(), session.revision(),
-                       session.mode_name(), session.meshes());
+                       session.mode(), session.meshes());
 }
 
 OrderedJson state_message(const Session& session, std::size_t clients) {

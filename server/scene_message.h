@@ -15,10 +15,9 @@ namespace thenar {
 /// Returns the constant parts of a picture: {"revision", "mode", "up", "eye", "target" [m],
 /// "bodies", "joints", "lines", "arrows", "clouds"}, with entries in the order of frames. Meshes
 /// are given by their ids.
-/// @param mode    name of the mode: "world"
 /// @param meshes  store to which the meshes are added
 [[nodiscard]] OrderedJson scene_message(const LiveShape& shape, unsigned long revision,
-                                        const std::string& mode, MeshStore& meshes);
+                                        LiveMode mode, MeshStore& meshes);
 
 /// Returns the message of the scene that is shown; an empty scene if nothing is shown.
 [[nodiscard]] OrderedJson scene_message(Session& session);

@@ -13,6 +13,7 @@
 
 #include "server/listener.h"
 #include "server/peer_set.h"
+#include "server/rpc.h"
 #include "server/web_pages.h"
 
 namespace thenar {
@@ -24,7 +25,8 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t kMaxMessageBytes = 80UL << 20U;  // message; above RpcLimits::bytes
+// Largest message [bytes]: above RpcLimits::bytes, so that the engine refuses it by a reply.
+constexpr std::size_t kMaxMessageBytes = RpcLimits{}.bytes + (16UL << 20U);
 constexpr std::size_t kPieceBytes = 65536;  // piece that is read or sent at a time [bytes]
 // Limits of a page. Beyond those of pending requests its input is not read, beyond that of unsent
 // texts its connection is closed.

@@ -31,22 +31,22 @@ struct ConeOptions {
 };
 
 struct [[nodiscard]] ConeResult {
-  Status status;  // kSolved: x is optimal within `residual`; kInfeasible: y and z are a Farkas
-                  // certificate; kUnbounded: x is feasible and a direction of descent exists, both
-                  // verified to 10 `acceptable_tolerance`; kLimit, kStalled: nothing was proved,
-                  // and x is the best point found
-  Eigen::VectorXd x;  // (n)
-  Eigen::VectorXd y;  // multipliers of A x = b:  c + A' y + G' z = 0 (r)
-  Eigen::VectorXd z;  // multipliers of the cones, in K (m)
-  double objective;   // c' x; +infinity: infeasible, -infinity: unbounded
-  double dual;        // -b' y - h' z: lower bound of the objective within `residual`
-  double residual;    // kSolved: largest violation of the KKT conditions of the original program
-                      // (feasibility, dual feasibility, gap), each over 1 + the norm of the terms
-                      // compared, recomputed from x, y and z; above 10 `acceptable_tolerance` the
-                      // status is kStalled [1]. kInfeasible: no x shorter than its inverse
-                      // satisfies all constraints. kUnbounded: violation along the direction over
-                      // the decrease of the objective
-  int iterations;     // Newton iterations
+  /// kSolved: x is optimal within `residual`; kInfeasible: y and z are a Farkas certificate;
+  /// kUnbounded: x is feasible and a direction of descent exists, both verified to 10
+  /// `acceptable_tolerance`; kLimit, kStalled: nothing was proved, and x is the best point found.
+  Status status = Status::kStalled;
+  Eigen::VectorXd x;     // (n)
+  Eigen::VectorXd y;     // multipliers of A x = b:  c + A' y + G' z = 0 (r)
+  Eigen::VectorXd z;     // multipliers of the cones, in K (m)
+  double objective = 0;  // c' x; +infinity: infeasible, -infinity: unbounded
+  double dual = 0;       // -b' y - h' z: lower bound of the objective within `residual`
+  double residual = 0;   // kSolved: largest violation of the KKT conditions of the original program
+                        // (feasibility, dual feasibility, gap), each over 1 + the norm of the terms
+                        // compared, recomputed from x, y and z; above 10 `acceptable_tolerance` the
+                        // status is kStalled [1]. kInfeasible: no x shorter than its inverse
+                        // satisfies all constraints. kUnbounded: violation along the direction over
+                        // the decrease of the objective
+  int iterations = 0;  // Newton iterations
 };
 
 /// Solves by a primal-dual interior-point method on the homogeneous self-dual embedding with

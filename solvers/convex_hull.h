@@ -12,7 +12,7 @@ namespace thenar {
 /// One facet:  normal' x <= offset holds for every point.
 struct HullFacet {
   Eigen::VectorXd normal;  // outward, unit length                                          (d)
-  double offset;           // distance of the plane from the origin, in the unit of the points
+  double offset = 0;       // distance of the plane from the origin, in the unit of the points
   // Row indices of its corners, in order; d = 3: counterclockwise from outside
   std::vector<int> ring;
 };

@@ -8,8 +8,8 @@
 namespace thenar::internal {
 
 struct SimplexVertex {
-  Status claim;        // claim of the method, to be certified by the caller
-  SimplexBasis basis;  // final basis
+  Status claim = Status::kStalled;  // claim of the method, to be certified by the caller
+  SimplexBasis basis;               // final basis
 };
 
 /// Runs the primal simplex method with bounds on all variables, starting from the basis of row

@@ -20,11 +20,11 @@ struct LinearProgram {
 /// Certificate of x: its infeasibility, and an upper bound of how much any feasible point can
 /// exceed its objective. Duals of the bounds of x are  d = objective - A' duals.
 struct LinearCertificate {
-  double violation;       // largest violation of a bound or row, over max(1, sum |a_ij x_j|) [1]
-  double dual_violation;  // largest dual that pushes to an infinite bound, over max(1, sum of the
-                          // absolute values of its terms) [1]
-  double gap;  // upper bound of the optimum minus objective' x: sum of |dual| x slack, in units of
-               // the objective
+  double violation = 0;  // largest violation of a bound or row, over max(1, sum |a_ij x_j|) [1]
+  double dual_violation = 0;  // largest dual that pushes to an infinite bound, over max(1, sum of
+                              // the absolute values of its terms) [1]
+  double gap = 0;  // upper bound of the optimum minus objective' x: sum of |dual| x slack, in units
+                   // of the objective
 };
 
 /// Answer of a linear program, with its certificate. Contents of the fields for each status:

@@ -21,8 +21,8 @@ struct MatrixInequality {
 
 /// Result of maximising one unknown.
 struct MaximisedComponent {
-  Eigen::VectorXd y;  // strictly feasible point
-  bool reached;       // y[index] > target
+  Eigen::VectorXd y;     // strictly feasible point
+  bool reached = false;  // y[index] > target
 };
 
 /// Raises one unknown subject to inequalities until it exceeds `target`, or until its maximum is

@@ -48,14 +48,15 @@ struct KktResidual {
 };
 
 struct NonlinearResult {
-  Status status;  // kSolved: a local optimum with the residuals `kkt_residual`; kInfeasible: x is a
-                  // local minimum of the constraint violation; kUnbounded: the objective decreases
-                  // without limit along feasible points; kLimit: `max_iterations`; kStalled: the
-                  // conditions hold at no point that was found
+  Status status = Status::kStalled;  // kSolved: a local optimum with the residuals `kkt_residual`;
+                                     // kInfeasible: x is a local minimum of the constraint
+                                     // violation; kUnbounded: the objective decreases without limit
+                                     // along feasible points; kLimit: `max_iterations`; kStalled:
+                                     // the conditions hold at no point that was found
   std::string message;       // message of the solver
   Eigen::VectorXd x;         // best point found (n)
-  double objective;          // objective at x
-  int iterations;            // Newton steps taken
+  double objective = 0;      // objective at x
+  int iterations = 0;        // Newton steps taken
   KktResidual kkt_residual;  // residuals at x, independent of the solver
 };
 

@@ -15,9 +15,9 @@ namespace thenar::internal {
 /// are found by linear programs and eliminated, so that z0 is strictly inside all other bounds and
 /// every y satisfies the equalities exactly.
 struct RelativeInterior {
-  Status status;       // kInfeasible: the set is empty
-  Eigen::VectorXd z0;  // point in the relative interior                         (n)
-  Eigen::MatrixXd Z;   // orthonormal columns; rows of fixed variables are exactly 0    (n, k)
+  Status status = Status::kStalled;  // kInfeasible: the set is empty
+  Eigen::VectorXd z0;                // point in the relative interior                         (n)
+  Eigen::MatrixXd Z;  // orthonormal columns; rows of fixed variables are exactly 0    (n, k)
   Eigen::VectorXd lower, upper;  // bounds of z; infinite at fixed variables (n)
 };
 

@@ -33,7 +33,7 @@ enum class TendonStatus {
 };
 
 /// Returns whether results with this status may be used: those up to kBandInsideBone.
-[[nodiscard]] constexpr bool trusted(TendonStatus status) {
+[[nodiscard]] constexpr bool is_trusted(TendonStatus status) {
   return status < TendonStatus::kNodeCollapsed;
 }
 

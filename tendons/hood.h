@@ -15,10 +15,10 @@ namespace thenar {
 /// Share of a muscle's tension that enters the hood, and its distribution there.
 template <typename T>
 struct HoodShare {
-  int muscle;     // column of the strand matrix
-  HoodSide side;  // lateral band(s) fed by the muscle
-  T into_hood;    // fraction of the tension that enters the hood [1]
-  T to_central;   // fraction of the hood's share in the central slip, at kHoodAngle [1]
+  int muscle = 0;  // column of the strand matrix
+  HoodSide side;   // lateral band(s) fed by the muscle
+  T into_hood;     // fraction of the tension that enters the hood [1]
+  T to_central;    // fraction of the hood's share in the central slip, at kHoodAngle [1]
   T slope;  // change of the logit of the central fraction per metacarpophalangeal angle [1/rad]
 };
 
@@ -37,7 +37,7 @@ template <typename T>
 
 /// Rows of the strand matrix for the slips of the hood.
 struct HoodRows {
-  int central_slip, radial_band, ulnar_band, terminal_slip;
+  int central_slip = 0, radial_band = 0, ulnar_band = 0, terminal_slip = 0;
 };
 
 /// Adds the hood to S, the matrix (strands, muscles) of strand tension per muscle tension:

@@ -12,10 +12,10 @@ namespace thenar {
 
 /// Position of one axis relative to another, in the reference posture.
 struct AxisOffset {
-  double angle;     // angle between the two lines, whatever their senses, 0..pi/2 [rad]
-  double distance;  // length of their common normal [m]
-  double beyond;    // component along the digit of the common normal from the first axis to the
-                    // second: positive where the second is distal of the first [m]
+  double angle = 0;     // angle between the two lines, whatever their senses, 0..pi/2 [rad]
+  double distance = 0;  // length of their common normal [m]
+  double beyond = 0;    // component along the digit of the common normal from the first axis to the
+                        // second: positive where the second is distal of the first [m]
 };
 
 /// Computes the offset of the second axis from the first.
@@ -25,8 +25,8 @@ struct AxisOffset {
 
 /// Two successive hinges of a digit, from its base to its tip.
 struct NeighbouringAxes {
-  int first, second;  // indices of the hinges in the model's tree
-  std::string name;   // "CMC1_FE-CMC1_AA"
+  int first = 0, second = 0;  // indices of the hinges in the model's tree
+  std::string name;           // "CMC1_FE-CMC1_AA"
 };
 
 /// Returns the pairs of successive hinges between the base and the tip.

@@ -11,8 +11,8 @@ namespace thenar {
 /// Via point of a tendon.
 template <typename T>
 struct PathNode {
-  int link;   // link that carries it; -1: the base
-  Vec3<T> p;  // position at the reference posture [m] (3)
+  int link = -1;  // link that carries it; -1: the base
+  Vec3<T> p;      // position at the reference posture [m] (3)
 };
 
 template <typename T>
@@ -44,7 +44,7 @@ template <typename T>
   for (std::size_t k = 1; k < path.size(); ++k) {
     const int a = path[k - 1].link, b = path[k].link;
     if (a == b) continue;
-    // Direction of the run.
+    // Compute the direction of the run.
     const Vec3<T> p_a = moved(state, a, path[k - 1].p), p_b = moved(state, b, path[k].p);
     const Vec3<T> u = (p_b - p_a).normalized();
     // Climb from both links to their common ancestor.

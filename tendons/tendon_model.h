@@ -36,17 +36,17 @@ template <typename T>
 /// Flexion joint, free, coupled or frozen, about which tendons bend in their sheaths.
 struct SheathBend {
   PostureAngle angle;
-  int first_coordinate_beyond;  // first coordinate whose joint lies beyond the bend; `coordinates`
-                                // if there is none
+  int first_coordinate_beyond = 0;  // first coordinate whose joint lies beyond the bend;
+                                    // `coordinates` if there is none
 };
 
 /// Numerical model of a digit; its names are in TendonNames.
 template <typename T>
 struct TendonModel {
-  Tree<T> tree;      // hinges from the wrist to the tip
-  int coordinates;   // number of entries of q
-  int tip_link;      // link that carries the tip
-  Vec3<T> tip;       // position of the tip in the reference posture [m] (3)
+  Tree<T> tree;         // hinges from the wrist to the tip
+  int coordinates = 0;  // number of entries of q
+  int tip_link = 0;     // link that carries the tip
+  Vec3<T> tip;          // position of the tip in the reference posture [m] (3)
   Mat3<T> tip_axes;  // tip axes in the reference posture: columns proximal, dorsal, radial (3, 3)
   std::vector<TendonPath<T>> paths;  // path of each strand; empty: constant arms
   MatrixX<T> constant_arms;  // moment arms of strands without a path [m/rad] (strands, coordinates)

@@ -6,9 +6,9 @@ namespace thenar {
 
 /// Response of a band or tendon at one length.
 struct BandResponse {
-  double energy;     // integral of the tension over the length [J]
-  double tension;    // >= 0 [N]
-  double stiffness;  // d tension / d length [N/m]
+  double energy = 0;     // integral of the tension over the length [J]
+  double tension = 0;    // >= 0 [N]
+  double stiffness = 0;  // d tension / d length [N/m]
 };
 
 /// Tension of a band or tendon as a function of its length.

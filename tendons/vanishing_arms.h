@@ -12,8 +12,8 @@ namespace thenar {
 /// Moment arm of a long flexor that nearly vanishes at a posture.
 struct VanishingArm {
   std::string muscle, joint;
-  double arm;      // moment arm at this posture, flexion positive [m/rad]
-  double max_arm;  // largest arm as this joint alone moves through its range [m/rad]
+  double arm = 0;      // moment arm at this posture, flexion positive [m/rad]
+  double max_arm = 0;  // largest arm as this joint alone moves through its range [m/rad]
 };
 
 /// Returns the arms of long flexors about flexion joints that are below a quarter of the largest
@@ -27,7 +27,7 @@ struct VanishingArm {
 /// Moment arm whose sign contradicts the subject's arms_mm or the muscle's name.
 struct ReversedArm {
   std::string muscle, joint;
-  double arm;  // moment arm at this posture [m/rad]
+  double arm = 0;  // moment arm at this posture [m/rad]
 };
 
 /// Returns the arms that have the wrong sign by TendonDigit::actions and are at least 0.5 mm, so

@@ -1,5 +1,5 @@
-"""Who may include whom: folders stand on floors, rooms in no circle, third parties behind fences,
-packages in one file; thenar/thenar.h reaches every question of api/, clang-tidy reads every room, and libraries name
+"""Checks includes: folders include from folders below, rooms in no circle, third parties in their fences.
+Packages are found in one file; thenar/thenar.h reaches every question of api/, clang-tidy reads every room, and libraries name
 no option of the command.
 
 Run from the repository root. Prints every offence as path:line and fails if there is one.
@@ -8,8 +8,8 @@ import pathlib
 import re
 import sys
 
-# A folder may include only its own files and those of the folders named here. The order is the order
-# of the floors: nothing looks up.
+# A folder may include only its own files and those of the folders named here: folders below it in the
+# order of rooms (docs/architecture.md).
 MAY_SEE = {
     "base": [],
     "solvers": ["base"],
@@ -122,7 +122,7 @@ MAY_SEE |= {
     "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "questions", "server", "server/methods",
                              "thenar"] + STUDIES,
 }
-WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
+WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that count with their subfolders as one
 
 # Third parties, and the only files that may include them. A folder's name allows the folder.
 FENCES = {
@@ -175,16 +175,16 @@ def one_of(name, prefixes):
     return name.startswith(tuple(prefixes))
 
 
-def room_of(path):
-    """The floor that a file stands on: the longest folder of MAY_SEE that holds it."""
+def folder_of(path):
+    """The folder of a file: the longest folder of MAY_SEE that contains it."""
     folders = [str(folder) for folder in pathlib.PurePath(path).parents]
     return next((folder for folder in folders if folder in MAY_SEE), None)
 
 
 def ours(path, folder, name):
     """Complaint about #include "name", if any."""
-    room = room_of(name)
-    if name not in MAY_SEE[folder] and room != folder and room not in MAY_SEE[folder]:
+    included = folder_of(name)
+    if name not in MAY_SEE[folder] and included != folder and included not in MAY_SEE[folder]:
         return f"{folder} may not include {name}"
     if not (pathlib.Path(name).is_file() or pathlib.Path(name + ".in").is_file()):
         return f"there is no {name}"
@@ -207,9 +207,9 @@ def includes():
         for path in sorted(pathlib.Path(top).rglob("*")):
             if path.suffix not in (".h", ".cpp") or "node_modules" in path.parts:
                 continue
-            folder = room_of(path)
+            folder = folder_of(path)
             if folder is None or (str(path.parent) != folder and folder not in WITH_SUBFOLDERS):
-                yield f"{path}:1: the folder {path.parent} has no floor in tests/floors_test.py"
+                yield f"{path}:1: the folder {path.parent} is not in MAY_SEE of tests/floors_test.py"
                 continue
             for line, text in enumerate(path.read_text().splitlines(), 1):
                 found = re.match(r'\s*#\s*include\s*(["<])([^">]+)', text)
@@ -279,7 +279,7 @@ def tidied():
         yield f".clang-tidy:1: HeaderFilterRegex has {room}, which is no room of tests/floors_test.py"
 
 
-# Rooms that speak to somebody at a command line.
+# Rooms whose texts are read at a command line.
 COMMAND_LINE = {"apps", "report", "studies", "server", "bench", "tests"}
 
 

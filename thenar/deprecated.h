@@ -57,6 +57,9 @@ ask_feasible_force(const FeasibleForceRequest& request, const Progress& progress
     const DigitRequest& request, const Progress& progress = {}) {
   return compute_moment_arms(request, progress);
 }
+[[deprecated("is_trusted()")]] [[nodiscard]] constexpr bool trusted(TendonStatus status) {
+  return is_trusted(status);
+}
 [[deprecated("measure_contacts()")]] [[nodiscard]] inline ContactQualityResult contact_quality(
     const ContactQualityRequest& request) {
   return measure_contacts(request);

@@ -5,7 +5,9 @@
 ///
 ///     #include <thenar/hands.h>
 ///
-/// These headers, and those that they include, are installed; all others are private.
+/// Public is what the headers of api/ declare that these include, and the structs that their requests
+/// and results name. Other headers are installed because these include them; all else in them is
+/// private and may change at any time (VERSIONING.md).
 
 #include "api/import.h"
 #include "thenar/deprecated.h"

@@ -171,7 +171,7 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
   // Moment arms at zero tension, since linear tendons have the same at any.
   const TendonTorque pull = at.tendons->evaluate(
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
-  require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+  require(is_trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
   // Compute the statics, and rotate the tip's axes with its link.
   const TipStatics statics = tip_statics(*at.tendons, q);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
@@ -264,7 +264,7 @@ std::vector<std::string> reversal_warnings(const DigitTendons& linear, const Pos
     const TendonTorque pull = linear.evaluate(
         q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
     const std::vector<ReversedArm> arms = reversed_arms(digit, pull.R);
-    if (!trusted(pull.status) || arms.empty() || count++ > 0) continue;
+    if (!is_trusted(pull.status) || arms.empty() || count++ > 0) continue;
     // Describe the first posture in full.
     where = q;
     for (const ReversedArm& arm : arms)

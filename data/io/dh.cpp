@@ -79,17 +79,6 @@ DhRow read_dh_row(TomlTable& table) {
           table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
-DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows) {
-  DhAxes result;
-  Pose<double> X = base;
-  for (const DhRow& row : rows) {
-    result.axes.push_back({X.p, X.R.col(2)});
-    X = X * dh_motion(row);
-    result.frames.push_back(X);
-  }
-  return result;
-}
-
 DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip) {
   require(!axes.empty(), "a Denavit-Hartenberg table needs at least one axis, got {}", axes.size());
 

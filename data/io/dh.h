@@ -26,12 +26,6 @@ struct AxisLine {
   Eigen::Vector3d direction{0, 0, 1};  // unit (3)
 };
 
-/// The axes of a chain at joint angles zero, and the frame at its end.
-struct DhAxes {
-  std::vector<AxisLine> axes;        // one axis for each row
-  std::vector<Pose<double>> frames;  // after each row
-};
-
 /// A whole chain:  X_end = base * row_1 * .. * row_n * tool.
 struct DhChain {
   Pose<double> base;        // base frame; its z is the first axis
@@ -46,9 +40,6 @@ class TomlTable;
 
 /// Returns the displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
-
-/// Returns the joint axes of a table of rows, in the frame in which `base` is given.
-[[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
 
 /// Returns the table for given axes, by their common normals; exact for skew, parallel,
 /// intersecting and coincident neighbours. The remaining freedom is fixed as follows: the base

@@ -29,64 +29,85 @@ VectorXd gathered(const VectorXd& from, const std::vector<int>& indices) {
   return out;
 }
 
+/// Returns which muscles contract: those without a given tension (muscles).
+std::vector<bool> contracting_muscles(const DigitPullModel& model) {
+  std::vector<bool> out(model.tendons->muscles().size(), model.contraction != nullptr);
+  for (const MuscleSchedule& given : model.tensions) out[given.muscle] = false;
+  return out;
+}
+
+/// Checks indices, schedules and contraction against the tendons.
+/// @throws InputError as DigitPull.
+void check_model(const DigitPullModel& model) {
+  const TendonGroup& group = *model.tendons;
+  const std::size_t joints = group.coordinates().size();
+  require(model.indices.q.size() == joints && model.indices.v.size() == joints,
+          "'{}' has {} joints, got {} places", model.name, joints, model.indices.q.size());
+  check_schedules(model.tensions, group.muscles(), std::numeric_limits<double>::max(), model.name,
+                  "tension");
+  check_schedules(model.excitations, group.muscles(), 1, model.name, "excitation");
+  const std::vector<bool> contracts = contracting_muscles(model);
+  for (const MuscleSchedule& each : model.excitations)
+    require(contracts[each.muscle], "'{}' has a tension or cannot contract, and is excited",
+            group.muscles()[each.muscle]);
+  // Check that the contraction has the same muscles.
+  if (!model.contraction) return;
+  const std::vector<Musculotendon>& muscles = model.contraction->muscles();
+  require(muscles.size() == group.muscles().size(), "{} muscles contract, '{}' has {}",
+          muscles.size(), model.name, group.muscles().size());
+  for (std::size_t m = 0; m < muscles.size(); ++m)
+    require(muscles[m].name == group.muscles()[m],
+            "muscle {} contracts as '{}', '{}' calls it '{}'", m, muscles[m].name, model.name,
+            group.muscles()[m]);
+}
+
+/// Returns the layout of the states: activation, and excursion and fibre where tension depends on
+/// them.
+/// @param contraction  null: no muscle contracts
+MuscleLayout muscle_layout(const DigitPullModel& model, const Contraction* contraction) {
+  MuscleLayout out;
+  out.contracts = contracting_muscles(model);
+  out.total = static_cast<Index>(out.contracts.size());
+  if (contraction == nullptr) return out;
+  // List the contracting muscles, and store the lengths that scale the states.
+  out.fibre_length.resize(out.total);
+  out.length_at_optimum.resize(out.total);
+  for (int m = 0; m < out.total; ++m) {
+    if (out.contracts[m]) out.contracting.push_back(m);
+    const Musculotendon& muscle = contraction->muscles()[m];
+    out.fibre_length[m] = muscle.optimal_fibre_length;
+    out.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
+  }
+  // Select the states.
+  out.has_fibre = contraction->has_fibre_state();
+  out.depends_on_velocity = !out.contracting.empty() && contraction->depends_on_velocity();
+  out.has_excursion = out.has_fibre || contraction->depends_on_velocity();
+  out.states = static_cast<Index>(out.contracting.size()) *
+               (1 + (out.has_excursion ? 1 : 0) + (out.has_fibre ? 1 : 0));
+  return out;
+}
+
 }  // namespace
 
 DigitPull::DigitPull(DigitPullModel model)
     : model_(std::make_shared<const DigitPullModel>(std::move(model))),
       tension_pieces_(model_->tendons->muscles().size()),
       excitation_pieces_(model_->tendons->muscles().size()) {
-  // Check indices and schedules against the tendons.
-  const TendonGroup& group = *model_->tendons;
-  const std::size_t joints = group.coordinates().size();
-  require(model_->indices.q.size() == joints && model_->indices.v.size() == joints,
-          "'{}' has {} joints, got {} places", model_->name, joints, model_->indices.q.size());
-  muscles_.total = static_cast<Index>(group.muscles().size());
-  check_schedules(model_->tensions, group.muscles(), std::numeric_limits<double>::max(),
-                  model_->name, "tension");
-  check_schedules(model_->excitations, group.muscles(), 1, model_->name, "excitation");
+  check_model(*model_);
   // Smooth the bands of a net, as in FingerMotion; tendons without a net have moment arms alone.
+  const TendonGroup& group = *model_->tendons;
   const bool net = group.has_net();
   if (net) blended_ = std::make_shared<const TendonGroup>(group.smoothed(model_->blend));
   if (!net) arms_.emplace(group);
-  // Mark the muscles that contract: those without a given tension. Only these may be excited.
-  muscles_.contracts.assign(static_cast<std::size_t>(muscles_.total),
-                            model_->contraction != nullptr);
-  for (const MuscleSchedule& given : model_->tensions) muscles_.contracts[given.muscle] = false;
-  for (const MuscleSchedule& each : model_->excitations)
-    require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
-            group.muscles()[each.muscle]);
-  // Initialize the values of all muscles.
+  // Give a contraction on a net compliant tendons.
+  const bool may_contract = model_->contraction != nullptr;
+  if (may_contract && net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
+  if (may_contract) solver_.emplace(contraction());
+  // Lay out the states, and initialize the values of all muscles.
+  muscles_ = muscle_layout(*model_, may_contract ? &contraction() : nullptr);
   values_.excitation.setZero(muscles_.total);
   values_.excursion.setZero(muscles_.total);
   values_.state.clear(muscles_.total);
-  // Check that the contraction has the same muscles; on a net it gets compliant tendons.
-  if (!model_->contraction) return;
-  require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_.total,
-          "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
-          muscles_.total);
-  for (std::size_t m = 0; m < group.muscles().size(); ++m)
-    require(model_->contraction->muscles()[m].name == group.muscles()[m],
-            "muscle {} contracts as '{}', '{}' calls it '{}'", m,
-            model_->contraction->muscles()[m].name, model_->name, group.muscles()[m]);
-  if (net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
-  // Select the states: activation, and excursion and fibre where tension depends on them.
-  for (int m = 0; m < muscles_.total; ++m)
-    if (contracts(m)) muscles_.contracting.push_back(m);
-  muscles_.has_fibre = contraction().has_fibre_state();
-  muscles_.depends_on_velocity =
-      !muscles_.contracting.empty() && contraction().depends_on_velocity();
-  muscles_.has_excursion = muscles_.has_fibre || contraction().depends_on_velocity();
-  muscles_.states = static_cast<Index>(muscles_.contracting.size()) *
-                    (1 + (muscles_.has_excursion ? 1 : 0) + (muscles_.has_fibre ? 1 : 0));
-  // Store the lengths that scale the states.
-  solver_.emplace(contraction());
-  muscles_.fibre_length.resize(muscles_.total);
-  muscles_.length_at_optimum.resize(muscles_.total);
-  for (Index m = 0; m < muscles_.total; ++m) {
-    const Musculotendon& muscle = contraction().muscles()[m];
-    muscles_.fibre_length[m] = muscle.optimal_fibre_length;
-    muscles_.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
-  }
 }
 
 std::vector<std::string> DigitPull::state_names() const {
@@ -271,7 +292,7 @@ bool DigitPull::add_action(const ElementInput& at, ElementAction& out) {
   set_rates(at, values, out);
   if (muscles_.has_excursion && !muscles_.contracting.empty())
     set_excursion_rates(at, values, G, A, out);
-  return trusted(values.torque.status);
+  return is_trusted(values.torque.status);
 }
 
 /// Adds the stiffness at constant tension and that of the tensions; of a net it returns G and A.

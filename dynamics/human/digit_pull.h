@@ -30,6 +30,18 @@ struct DigitPullModel {
   double base_tension = kBaseTension;  // tension added to each muscle of a digit with a net [N]
 };
 
+/// Layout of the states of a pulled digit, and the lengths that scale them.
+struct MuscleLayout {
+  std::vector<int> contracting;        // indices of contracting muscles
+  std::vector<bool> contracts;         // flag of each muscle (muscles)
+  bool has_excursion = false;          // flag: excursion is a state
+  bool has_fibre = false;              // flag: projected fibre length is a state
+  bool depends_on_velocity = false;    // flag: tension depends on the lengthening rate
+  Eigen::Index total = 0, states = 0;  // number of muscles, and of states of this element
+  Eigen::VectorXd fibre_length;        // optimal fibre length [m] (muscles)
+  Eigen::VectorXd length_at_optimum;   // musculotendon length at that fibre length [m] (muscles)
+};
+
 /// State of tendons and muscles at an instant.
 struct PullState {
   Eigen::VectorXd tension;     // tension [N] (muscles)
@@ -72,6 +84,8 @@ class CopyableTensionSolver {
 /// moment arms, which accept_step() updates when the posture has changed by kStiffnessUpdateAngle.
 /// Where arms have no slopes, as with a net, accept_step() updates the term itself when posture or
 /// tensions have changed much.
+///
+/// Const functions share a workspace, so they are not thread-safe: use one clone() per thread.
 class DigitPull final : public ForceElement {
  public:
   /// @throws InputError if shapes or names of muscles disagree, a muscle with a tension is also
@@ -147,17 +161,6 @@ class DigitPull final : public ForceElement {
   void set_excursion_rates(const ElementInput& at, const PullValues& values,
                            const Eigen::MatrixXd& G, const Eigen::MatrixXd& A, ElementAction& out);
 
-  /// Layout of the states, and the lengths that scale them.
-  struct Muscles {
-    std::vector<int> contracting;        // indices of contracting muscles
-    std::vector<bool> contracts;         // flag of each muscle (muscles)
-    bool has_excursion = false;          // flag: excursion is a state
-    bool has_fibre = false;              // flag: projected fibre length is a state
-    bool depends_on_velocity = false;    // flag: tension depends on the lengthening rate
-    Eigen::Index total = 0, states = 0;  // number of muscles, and of states of this element
-    Eigen::VectorXd fibre_length;        // optimal fibre length [m] (muscles)
-    Eigen::VectorXd length_at_optimum;   // musculotendon length at that fibre length [m] (muscles)
-  };
   /// Results of earlier calls that later calls start from.
   struct Cache {
     GroupSlopes arm_slopes;             // slopes of arms at stiffness_q, where they exist
@@ -178,7 +181,7 @@ class DigitPull final : public ForceElement {
   std::shared_ptr<const TendonGroup> blended_;    // tendons with a smoothed net; null: the model's
   std::shared_ptr<const Contraction> compliant_;  // contraction on compliant tendons of a net;
                                                   // null: the model's
-  Muscles muscles_;
+  MuscleLayout muscles_;
   Cache cache_;
   // Workspace of evaluate(), which does not affect results.
   mutable PullValues values_;

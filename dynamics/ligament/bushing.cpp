@@ -36,12 +36,12 @@ bool BushingElement::add_action(const ElementInput& at, ElementAction& out) {
   // A; rates of the angles by the angular velocity of B relative to A.
   const int a = motion.link_of(proximal_.body), b = motion.link_of(distal_.body);
   J_.setZero(at.v.size(), kBushingCoordinates);
-  const Eigen::Vector3d none(0, 0, 0);
+  const Eigen::Vector3d zero(0, 0, 0);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = X_WA.R.col(k);
-    motion.add_relative_jacobian_row(b, a, X_WB.p, along, none, J_.col(k));
+    motion.add_relative_jacobian_row(b, a, X_WB.p, along, zero, J_.col(k));
     const Eigen::Vector3d about = X_WA.R * pose.rate_map.row(k).transpose();
-    motion.add_relative_jacobian_row(b, a, X_WB.p, none, about, J_.col(3 + k));
+    motion.add_relative_jacobian_row(b, a, X_WB.p, zero, about, J_.col(3 + k));
   }
   // Map the action on the coordinates to generalized forces.
   const BushingVector rate = J_.transpose() * at.v;
@@ -68,18 +68,18 @@ bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
   // Tension of the ligament along the line between its points.
   const TreeMotion<double>& motion = at.motion;
   const Eigen::Vector3d p = pose_of(motion, from_.body) * from_.p;
-  const Eigen::Vector3d way = pose_of(motion, to_.body) * to_.p - p;
-  const double length = way.norm();
+  const Eigen::Vector3d span = pose_of(motion, to_.body) * to_.p - p;
+  const double length = span.norm();
   const LigamentForce force = ligament_force(law_, length);
   if (force.force == 0 && force.slope == 0) return true;
-  const Eigen::Vector3d line = way / length, none(0, 0, 0);
+  const Eigen::Vector3d line = span / length, zero(0, 0, 0);
   // Jacobian of the velocity of one point relative to the other.
   J_.setZero(at.v.size(), 3);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    motion.add_jacobian_row(motion.link_of(to_.body), Eigen::Vector3d(p + way), axis, none,
+    motion.add_jacobian_row(motion.link_of(to_.body), Eigen::Vector3d(p + span), axis, zero,
                             J_.col(k));
-    motion.add_jacobian_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
+    motion.add_jacobian_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), zero, J_.col(k));
   }
   const Eigen::VectorXd row = J_ * line;
   // Damping scales the tension with the strain rate; the ligament never pushes.
@@ -99,9 +99,9 @@ bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
 }
 
 double LigamentElement::energy(const ElementInput& at) {
-  const Eigen::Vector3d way =
+  const Eigen::Vector3d span =
       pose_of(at.motion, to_.body) * to_.p - pose_of(at.motion, from_.body) * from_.p;
-  return ligament_force(law_, way.norm()).energy;
+  return ligament_force(law_, span.norm()).energy;
 }
 
 }  // namespace thenar

@@ -21,7 +21,7 @@ class TreeBuilder {
   int build(int first, int last) {
     const int index = static_cast<int>(body_.nodes.size());
     body_.nodes.emplace_back();
-    // A leaf has the ball around one swept triangle.
+    // Store one swept triangle in a leaf, with the ball around it.
     if (last - first == 1) {
       CollisionNode& leaf = body_.nodes.back();
       leaf.triangle = first;
@@ -29,7 +29,7 @@ class TreeBuilder {
       leaf.ball.r += triangle(first).radius;
       return index;
     }
-    // An inner node has two halves about the median.
+    // Otherwise divide at the median into two children.
     const Eigen::AlignedBox3d box = box_around(first, last);
     const int middle = split(first, last, box);
     const int left = build(first, middle), right = build(middle, last);
@@ -165,7 +165,7 @@ Eigen::Vector3d internal::nearest_in_triangle(const Eigen::Matrix3d& corners,
                                               const Eigen::Vector3d& p) {
   const Eigen::Vector3d a = corners.col(0), b = corners.col(1), c = corners.col(2);
   const Eigen::Vector3d n = (b - a).cross(c - a);
-  // Inside the prism over the triangle: project onto its plane.
+  // Project a point inside the prism over the triangle onto its plane.
   const double square = n.squaredNorm();
   if (square > 0 && n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 &&
       n.cross(a - c).dot(p - c) >= 0)

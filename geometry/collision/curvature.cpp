@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double step) {
   require(p.allFinite(), "a point of a surface must be finite");
   require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
-  // Second differences of the distance in four directions.
+  // Take second differences of the distance in four directions.
   const NearestSurface at = shape.nearest(p);
   const auto second = [&](const Vector3d& v) {
     return (shape.distance(p + step * v) + shape.distance(p - step * v) - 2 * at.distance) /
@@ -23,7 +23,7 @@ PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double ste
   const double rising = second((t.e1 + t.e2).normalized());
   const double falling = second((t.e1 - t.e2).normalized());
 
-  // Principal curvatures by Mohr's circle.
+  // Compute the principal curvatures by Mohr's circle.
   const double mean = (along1 + along2 + rising + falling) / 4;
   const double x = (along1 - along2) / 2, y = (rising - falling) / 2;
   const double turn = std::atan2(y, x) / 2, half = std::hypot(x, y);

@@ -40,7 +40,7 @@ constexpr double kMaxLift = 10;  // maximum lift; beyond it rounding errors matt
 
 Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
                  const NearestSurface& seen, double wanted) {
-  // Height of the triangle above the plane of the nearest surface, less the wanted bound.
+  // Compute the triangle's height above the plane of the nearest surface, less the wanted bound.
   const double lowest =
       seen.distance + (seen.normal.transpose() * (corners.colwise() - ball.c)).minCoeff();
   const double margin = lowest - wanted;

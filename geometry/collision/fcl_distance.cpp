@@ -54,7 +54,7 @@ FclMesh& FclMesh::operator=(FclMesh&&) noexcept = default;
 
 double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                     const Pose<double>& X_WB, double tolerance) {
-  // No signed distance: for overlapping meshes FCL aborts, or returns -1.
+  // Request no signed distance: for overlapping meshes FCL aborts, or returns -1.
   const fcl::DistanceRequest<double> request(false, false, 0, tolerance);
   fcl::DistanceResult<double> result;
   const auto posed_A = posed(a, X_WA), posed_B = posed(b, X_WB);

@@ -96,7 +96,7 @@ class Polygon {
 
   /// Returns the maximum distance of a hull corner from the polygon without its k-th corner.
   [[nodiscard]] double loss_without(std::size_t k) const {
-    // Distances beyond the new side, and beyond all others.
+    // Take the largest distance beyond the new side and beyond all others.
     double loss = beyond(before(k), after(k));
     for (std::size_t i = 0; i < size(); ++i)
       if (i != k && i != before(k)) loss = std::max(loss, loss_[i]);
@@ -170,14 +170,14 @@ ReducedPoints reduce_points(const Points& points, double merge, int max_points) 
   require(merge >= 0 && max_points >= 3, "merge must be >= 0 and most >= 3, got {} m and {}", merge,
           max_points);
   const std::vector<int> hull = convex_hull(points);
-  // All in one place: the first point represents them.
+  // If all points coincide, keep the first one.
   const FarthestPair pair = farthest_pair(points, hull);
   if (pair.distance <= merge) {
     double loss = 0;
     for (const int i : hull) loss = std::max(loss, (points.col(i) - points.col(0)).norm());
     return {{0}, loss};
   }
-  // Nearly on a line: keep the two farthest apart.
+  // If they lie nearly on a line, keep the two that are farthest apart.
   const double width = max_width(points, hull, pair);
   if (width <= merge / 2 || hull.size() < 3) return {{pair.a, pair.b}, width};
   // Otherwise keep a polygon.

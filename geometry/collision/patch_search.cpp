@@ -146,11 +146,11 @@ class PatchSearch {
       if (!part.seen[k]) part.seen[k] = evaluate(part.corners.col(k), part.radius);
       sort_in(*part.seen[k]);
     }
-    // Nothing of the part is inside.
+    // Skip a part that is outside as a whole.
     if (inside.empty() && !is_inside(middle) &&
         (is_far_by_corners(part) || is_clear(part, ball, middle)))
       return true;
-    // The boundary crosses the part, which is still larger than the resolution.
+    // Divide a part that the boundary crosses while it is larger than the resolution.
     if (ball.r > query_.resolution && !(outside.empty() && is_inside(middle))) return false;
     // Keep the points inside, and the boundary towards those outside.
     PatchPiece piece{ball, inside};
@@ -163,12 +163,12 @@ class PatchSearch {
   /// Adds points of the boundary towards a point outside.
   void add_boundary(const Part& part, const std::vector<PatchPoint>& inside,
                     const PatchPoint& point, PatchPiece& piece) {
-    // The point of the part nearest to the surface point of the one outside.
+    // Find the point of the part nearest to the surface point of the one outside.
     PatchPoint over =
         evaluate(internal::nearest_in_triangle(part.corners, point.on_b), part.radius);
     if (!is_inside(over)) over = newton_step(part, point, over.core);
     if (is_inside(over)) piece.points.push_back(over);
-    // Points where sides cross the boundary.
+    // Add the points where sides cross the boundary.
     if (query_.halvings == 0) return;
     for (const PatchPoint& in : inside) piece.points.push_back(crossing(in, point));
   }

@@ -43,7 +43,7 @@ double ConvexBracket::lower() const {
 }
 
 double ConvexBracket::next_position(double step) const {
-  // Only one side is known: growing steps towards the other.
+  // While only one side is known, take growing steps towards the other.
   if (!is_closed()) {
     const double way = step * std::pow(4, same_side_count_ - 1);
     return has_low_ ? std::min(high_.t, low_.t + way) : std::max(low_.t, high_.t - way);

@@ -25,7 +25,7 @@ Eigen::Vector3d longest_side(const Eigen::Matrix3d& corners) {
 }  // namespace
 
 double bound_by_planes(const TrianglePiece& piece, DistanceRecord& record) {
-  // Distance and slope at a point of the segment.
+  // Compute distance and slope at points of the segment.
   const Eigen::Matrix3d& c = piece.corners;
   const Eigen::Vector3d u = longest_side(c).stableNormalized();
   const auto tangent = [&](double t, const NearestSurface& seen) {

@@ -34,13 +34,13 @@ int lowest_triangle(const CollisionTree& a, const Eigen::Vector3d& n) {
     const CollisionNode& node = a.nodes[nodes.back()];
     nodes.pop_back();
     if (n.dot(node.ball.c) - node.ball.r >= lowest) continue;
-    // Inner nodes add their children.
+    // Add the children of an inner node.
     if (node.triangle < 0) {
       nodes.push_back(node.left);
       nodes.push_back(node.right);
       continue;
     }
-    // A leaf has the lowest corner of its triangle.
+    // Compare the lowest corner of a leaf's triangle.
     const SweptTriangle& t = a.triangles[node.triangle];
     const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
     if (low < lowest) lowest = low, best = node.triangle;
@@ -72,7 +72,7 @@ class DistanceSearch {
       : a_(a), X_BA_(X_BA), options_(std::move(options)), record_(b, options_) {}
 
   SignedDistance run() {
-    // The triangle of a similar pose is a good start.
+    // Start with the triangle of a similar pose.
     if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size()))
       descend(whole(options_.start));
     // Bound the root, and try a first guess if the bodies are near.
@@ -132,7 +132,7 @@ class DistanceSearch {
       n = record_.best().seen.normal;
       last = lowest;
     }
-    // Planes and segments have bounds of their own; otherwise add two empty balls.
+    // Unless planes or segments have bounds of their own, add two empty balls.
     const internal::BestPoint& best = record_.best();
     if (best.seen.supports ||
         (a_.triangles.size() == 1 && is_segment(0) && internal::has_ball_bounds(record_)))
@@ -162,7 +162,7 @@ class DistanceSearch {
 
   /// Adds a triangle or a part of one to the queue.
   void add_piece(const Eigen::Matrix3d& corners, double radius, int triangle, double parent) {
-    // Known empty space may exclude it.
+    // Skip it if known empty space excludes it.
     const double bound = std::max(parent, record_.empty_space().bound(corners, radius));
     if (bound >= record_.sufficient_bound()) {
       record_.skip(bound);
@@ -171,7 +171,7 @@ class DistanceSearch {
     // Evaluate the distance at its centre.
     const Piece piece = evaluated(corners, radius, triangle);
     const double seen = std::max(bound, bound_of(piece));
-    // Segments have sharper bounds.
+    // Use the sharper bounds of segments.
     if (is_segment(triangle)) {
       const double lower = piece.seen.supports ? internal::bound_by_planes(piece, record_)
                                                : internal::bound_by_balls(piece, record_);
@@ -192,7 +192,7 @@ class DistanceSearch {
     const CollisionNode& node = a_.nodes[index];
     const Ball ball = posed(node);
     if (!is_in_region(ball)) return;
-    // A leaf is a triangle.
+    // Evaluate the triangle of a leaf.
     if (node.triangle >= 0) {
       const double radius = a_.triangles[node.triangle].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
@@ -230,7 +230,7 @@ class DistanceSearch {
   /// Searches for better points: the lowest corner, then the points nearest to each other,
   /// alternately.
   void descend(const Piece& piece) {
-    // The lowest corner above B's plane.
+    // Find the lowest corner above B's plane.
     Eigen::Index lowest = 0;
     const double rise = (piece.seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c))
                             .minCoeff(&lowest);
@@ -260,7 +260,7 @@ class DistanceSearch {
 
   /// Returns the result in B's frame.
   SignedDistance result() {
-    // The lowest remaining bound determines the error.
+    // Compute the error from the lowest remaining bound.
     const internal::BestPoint& best = record_.best();
     if (best.triangle < 0) whole(0);  // the cutoff was reached before any triangle was evaluated
     const double below = heap_.empty() ? kInfinity : heap_.front().bound;

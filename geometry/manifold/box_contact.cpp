@@ -61,7 +61,7 @@ BoxAxis axis_of(const BoxPair& boxes, int index) {
 BoxAxis best_axis(const BoxPair& boxes, int last) {
   const Matrix3d share = boxes.R.cwiseAbs();
   const Vector3d in_a = boxes.R.transpose() * boxes.c;
-  // Faces of B, faces of A, then edges, which must be better by more than rounding errors.
+  // Try faces of B, faces of A, then edges, which must be better by more than rounding errors.
   const Vector3d of_b = boxes.c.cwiseAbs() - boxes.hb - share * boxes.ha;
   const Vector3d of_a = in_a.cwiseAbs() - boxes.ha - share.transpose() * boxes.hb;
   int index = -1;
@@ -82,7 +82,7 @@ BoxAxis best_axis(const BoxPair& boxes, int last) {
       const double edge_gap = (offset - reach) / sine;
       if (edge_gap > gap + kEdgePreference) gap = edge_gap, index = 6 + 3 * i + j;
     }
-  // Overlapping boxes keep their last direction, unless another is clearly better.
+  // Keep the last direction of overlapping boxes, unless another is clearly better.
   if (gap < 0 && last >= 0 && last != index) {
     const BoxAxis kept = axis_of(boxes, last);
     if (kept.gap > gap - kKeepDepth + kKeepRatio * gap) return kept;
@@ -206,12 +206,12 @@ class FaceCut {
       return feature_key(flipped ? FeatureKind::kVertexB : FeatureKind::kVertexA,
                          corner(inner_, after), 0);
     if (before >= 4 && after >= 4) {
-      // Two clipping planes meet in the corner that both sides share.
+      // Name the corner that both sides share, where two clipping planes meet.
       const int side = (before - 4 + 1) % 4 == after - 4 ? after - 4 : before - 4;
       return feature_key(flipped ? FeatureKind::kVertexA : FeatureKind::kVertexB,
                          corner(outer_, side), 0);
     }
-    // A side of the clipped face crosses a side of the clipping one.
+    // Otherwise name the crossing of a side of the clipped face and a side of the clipping one.
     const int of_cut = std::min(before, after), of_cutting = std::max(before, after) - 4;
     const int inner = edge_number(corner(inner_, of_cut), corner(inner_, of_cut + 1));
     const int outer = edge_number(corner(outer_, of_cutting), corner(outer_, of_cutting + 1));
@@ -244,7 +244,7 @@ double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis
   if ((flipped ? on_a : on_b).alignment < kMinClippingCosine) return least;
   const FaceCut cut = flipped ? FaceCut(a, on_a, b, on_b) : FaceCut(b, on_b, a, on_a);
   for (int i = 0; i < cut.count(); ++i) {
-    // One point is on the clipped face, the other below it on the clipping face.
+    // Take one point on the clipped face, the other below it on the clipping face.
     ManifoldPoint point;
     const Vector3d below = cut.at(i) - cut.height(i) * cut.normal();
     point.on_a = flipped ? below : cut.at(i);
@@ -270,7 +270,7 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   const int k = (axis.index - 6) / 3, j = (axis.index - 6) % 3;
   const int corner_a = farthest_corner(a, -axis.n), corner_b = farthest_corner(b, axis.n);
   const Vector3d u = a.R.col(j), w = b.R.col(k);
-  // Centres of both edges, then the nearest points of their lines.
+  // Compute the centres of both edges, then the nearest points of their lines.
   Vector3d la = corner_of(a.half, corner_a), lb = corner_of(b.half, corner_b);
   la(j) = lb(k) = 0;
   const Vector3d pa = a.R * la + a.c, pb = b.R * lb + b.c, r = pa - pb;
@@ -307,13 +307,13 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   memory.overlapped = axis.gap < 0;
   if (axis.gap > margin) return axis.gap;
 
-  // Points of faces, along the separating direction.
+  // Add points of faces, along the separating direction.
   const PosedBox a{X_BA.R, X_BA.p, part_a.half},
       b{Matrix3d::Identity(), Vector3d::Zero(), part_b.half};
   const std::size_t first = points.size();
   double least = add_face_points(a, b, axis, margin, memory, points);
   if (least <= axis.gap + kDistanceError) return axis.gap;
-  // A crossing of edges, if it has the distance of that direction.
+  // Add a crossing of edges, if it has the distance of that direction.
   if (axis.index >= 6) {
     const ManifoldPoint point = edge_point(a, b, axis);
     if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kDistanceError) {
@@ -323,13 +323,13 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   }
   if (axis.gap < 0) {
     if (points.size() > first) return axis.gap;
-    // Overlap without a face in between: the deepest corner along the direction.
+    // For an overlap without a face in between, add the deepest corner along the direction.
     const Vector3d deepest = a.corner(farthest_corner(a, -axis.n));
     points.push_back({deepest, deepest - axis.gap * axis.n, axis.n, axis.gap,
                       feature_key(FeatureKind::kWitness, 0, 0)});
     return axis.gap;
   }
-  // Apart with nearest points at a corner or edge: find them, and faces along their direction.
+  // If the nearest points are at a corner or edge, find them, and faces along their direction.
   const ConvexDistance near = nearest_points(a, b, axis.n, margin);
   if (near.n.isZero(0)) return axis.gap;
   points.resize(first);

@@ -41,7 +41,7 @@ const std::vector<BodyPair>& BroadPhase::update(const std::vector<Eigen::Aligned
   }
   Eigen::Index axis = 0;
   if (bodies_ > 0) (squares - sum.square() / static_cast<double>(bodies_)).maxCoeff(&axis);
-  // Insertion sort, as the order has hardly changed; ties by number.
+  // Sort by insertion, as the order has hardly changed; break ties by number.
   const auto before = [&](int i, int j) {
     const double low_i = box(i).min()(axis), low_j = box(j).min()(axis);
     return low_i != low_j ? low_i < low_j : i < j;

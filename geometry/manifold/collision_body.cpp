@@ -87,7 +87,7 @@ CollisionPart swept_part(const RoundedMesh& swept) {
   const Eigen::Matrix3Xd& v = swept.core.vertices;
   require(swept.core.triangles.cols() == 1, "a rounded surface of {} triangles is not a primitive",
           swept.core.triangles.cols());
-  // The two corners farthest apart are the ends; the third must be one of them.
+  // Take the two corners farthest apart as ends; the third must be one of them.
   const Eigen::Vector3i t = swept.core.triangles.col(0);
   const Vector3d from = v.col(t(0)), to = v.col(t(1)) == from ? v.col(t(2)) : v.col(t(1));
   require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded triangle is not a primitive");
@@ -123,7 +123,7 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
   require(!solid.collision.empty(), "a solid without a collision surface touches nothing");
   const bool known = solid.parts.size() == solid.collision.size();
   auto body = std::make_shared<CollisionBody>();
-  // Primitives are parts of their own; all meshes form one part.
+  // Make a part of each primitive, and one part of all meshes.
   std::vector<TriangleMesh> meshes;
   std::vector<std::shared_ptr<const Shape>> shapes;
   for (std::size_t i = 0; i < solid.collision.size(); ++i) {
@@ -148,11 +148,11 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
     body->parts.push_back(std::move(part));
   }
   body->thickness = thickness_of(solid, body->parts);
-  // Bounding box and ball of all parts.
+  // Compute the bounding box and ball of all parts.
   for (const CollisionPart& part : body->parts) {
     const Vector3d c = part.X_BP * part.ball.c;
     const Eigen::AlignedBox3d box(c.array() - part.ball.r, c.array() + part.ball.r);
-    // The shape's own bounds may be smaller.
+    // Intersect with the shape's own bounds, which may be smaller.
     body->box.extend(box.intersection(place(part.shape, part.X_BP)->bounds()));
   }
   body->ball.c = body->box.center();

@@ -47,7 +47,7 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
         continue;
       }
     }
-    // Bounding balls first, then the parts.
+    // Compare bounding balls first, then the parts.
     const std::size_t first = candidates_.size();
     memory.bound = (X * a.ball.c - b.ball.c).norm() - a.ball.r - b.ball.r;
     if (memory.bound <= margin)
@@ -67,7 +67,7 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
       point.feature |= static_cast<std::uint64_t>(i % 4096) << 52U;
     }
   }
-  // Motion since the last update, to identify points.
+  // Bound the motion since the last update, to identify points.
   const double motion = is_updated_ ? motion_bound(a_->ball, b_->ball, X_BA_, X_BA) : 0;
   X_BA_ = X_BA;
   is_updated_ = true;

@@ -25,7 +25,7 @@ CollisionPair& CollisionWorld::pair_of(const BodyPair& bodies) {
 const std::vector<BodyContact>& CollisionWorld::update(const std::vector<Pose<double>>& X_WB,
                                                        double margin) {
   require(X_WB.size() == bodies_.size(), "{} poses for {} bodies", X_WB.size(), bodies_.size());
-  // Boxes are enlarged by half of the margin each.
+  // Enlarge each box by half of the margin.
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     boxes_[i] = world_box(*bodies_[i], X_WB[i], margin / 2);
   contacts_.clear();

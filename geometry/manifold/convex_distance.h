@@ -78,14 +78,14 @@ class Simplex {
   /// Computes the point nearest to the origin of the plane, line or point through some corners.
   /// @return whether it is between them
   bool nearest_of(unsigned set, Eigen::Vector4d& weights, Eigen::Vector3d& v) const {
-    // Corners of the set.
+    // Collect the corners of the set.
     std::array<int, 4> index{};
     int n = 0;
     for (int i = 0; i < count_; ++i)
       if (set & (1U << static_cast<unsigned>(i))) index[n++] = i;
     const auto corner = [&](int k) -> Eigen::Vector3d { return points_[index[k]].difference(); };
     const Eigen::Vector3d first = corner(0);
-    // A corner, an edge, a face, or the whole tetrahedron.
+    // Compute weights on a corner, an edge, a face, or the whole tetrahedron.
     if (n == 1) {
       weights(index[0]) = 1;
       v = first;
@@ -153,7 +153,7 @@ template <typename Support>
   ConvexDistance found;
   found.lower = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMaxSteps; ++i) {
-    // The support point bounds the distance from below.
+    // Bound the distance from below by the support point.
     const SupportPoints point = support(n);
     const Eigen::Vector3d w = point.difference();
     found.lower = std::max(found.lower, w.dot(n));
@@ -162,7 +162,7 @@ template <typename Support>
       if (i == 0) found.distance = w.norm(), found.points = point, found.n = n;
       break;
     }
-    // The simplex bounds it from above, unless it contains the origin.
+    // Bound it from above by the simplex, unless it contains the origin.
     v = simplex.add(point);
     const double distance = v.norm();
     if (simplex.count() == 4 || distance < kOverlap)

@@ -34,7 +34,7 @@ FaceAbove face_above(const Vector3d& c, const Vector3d& u, const Vector3d& half_
   };
   for (int k = 0; k < 3; ++k)
     if (gap(k) > best.gap) best = {k, gap(k)};
-  // Overlapping bodies keep their last face, unless another is clearly better.
+  // Keep the last face of overlapping bodies, unless another is clearly better.
   if (best.gap < 0 && memory.overlapped && memory.axis >= 0 && memory.axis != best.axis &&
       gap(memory.axis) > best.gap - kKeepFaceDepth + kKeepFaceRatio * best.gap)
     best = {memory.axis, gap(memory.axis)};
@@ -57,7 +57,7 @@ std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPa
   const FaceAbove face = face_above(c, u, a.half, b.half, memory);
   if (face.gap > margin) return face.gap;
   const Vector3d n = (c(face.axis) < 0 ? -1 : 1) * Vector3d::Unit(face.axis);
-  // Lowest direction of both rims, in the cylinder's frame.
+  // Compute the lowest direction of both rims, in the cylinder's frame.
   const Vector3d low = -(X_BA.R.transpose() * n);
   const double lean = low.head<2>().norm();
   const double lowest = std::atan2(low.y(), low.x());
@@ -77,7 +77,7 @@ std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPa
       if (gap > margin) continue;
       const Vector3d on_b = on_a - gap * n;
       points.push_back({on_a, on_b, n, gap, feature_key(FeatureKind::kVertexA, 6 * cap + k, 0)});
-      // All points must be above the face.
+      // Require that all points are above the face.
       for (int i = 0; i < 3; ++i)
         if (i != face.axis && std::abs(on_b(i)) > b.half(i)) {
           points.resize(first);
@@ -179,7 +179,7 @@ double add_deepest_edge(const CollisionPart& a, const CollisionPart& b, const Po
   NearestSurface best{std::numeric_limits<double>::infinity(), {0, 0, 1}};
   ManifoldPoint point;
   for (int edge = 0; edge < 12; ++edge) {
-    // The direction of the edge, and the signs of its position.
+    // Find the direction of the edge, and the signs of its position.
     const int k = edge / 4, u = (k + 1) % 3, v = (k + 2) % 3;
     Vector3d from = -b.half;
     if (edge & 1) from(u) = b.half(u);

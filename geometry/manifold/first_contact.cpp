@@ -49,7 +49,7 @@ FirstContact first_contact(CollisionPair& pair, const BodyMotion& a, const BodyM
   require(duration >= 0 && std::isfinite(duration), "a duration must be finite and >= 0, got {} s",
           duration);
   require(options.gap > 0, "the gap of a contact must be positive, got {} m", options.gap);
-  // Bounds of the speed at which the bodies approach.
+  // Bound the speed at which the bodies approach.
   const double turning = a.omega.norm() * radius_about_origin(pair.a()) +
                          b.omega.norm() * radius_about_origin(pair.b());
   const Vector3d velocity = a.v - b.v;

@@ -65,7 +65,7 @@ void ManifoldMemory::reduce(std::vector<ManifoldPoint>& points, double margin,
       const double cosine = point.normal.dot(kept.normal);
       const double distance2 =
           std::min((point.on_a - kept.on_a).squaredNorm(), (point.on_b - kept.on_b).squaredNorm());
-      // After six points, or at the same position, only other directions count.
+      // Count only other directions after six points, or at the same position.
       double apart2 = distance2 + extent2 * (1 - cosine);
       if (cosine > kSameDirection && distance2 < kSamePoint * kSamePoint) apart2 = 0;
       squared_distances_[i] = std::min(squared_distances_[i], apart2);
@@ -82,7 +82,7 @@ void ManifoldMemory::reduce(std::vector<ManifoldPoint>& points, double margin,
 
 void ManifoldMemory::assign_ids(const Pose<double>& X_WA, const Pose<double>& X_WB, double motion,
                                 ContactManifold& manifold) {
-  // Points of the same feature keep their ids.
+  // Keep the ids of points of the same feature.
   std::array<bool, ContactManifold::kMaxPoints> taken{};
   const auto inherit = [&](ManifoldPoint& point, int from) {
     taken[from] = true;
@@ -96,7 +96,7 @@ void ManifoldMemory::assign_ids(const Pose<double>& X_WA, const Pose<double>& X_
     for (int k = 0; k < count_ && point.id < 0; ++k)
       if (!taken[k] && last_[k].feature == point.feature) inherit(point, k);
   }
-  // Others inherit the id of the nearest unassigned point, if it is near enough.
+  // Give others the id of the nearest unassigned point, if it is near enough.
   const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
   for (int i = 0; i < manifold.count; ++i) {
     ManifoldPoint& point = manifold.points[i];

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 /// Returns whether a ball is within a distance of a triangle.
 bool ball_near_face(const Vector3d& c, double reach, const PolyhedronFace& face) {
-  // The distance from the plane excludes most.
+  // Exclude most by the distance from the plane.
   if (std::abs(face.n.dot(c - face.corners.col(0))) > reach) return false;
   return (nearest_in_triangle(face.corners, c) - c).squaredNorm() <= reach * reach;
 }
@@ -45,7 +45,7 @@ class PairSearch {
     const CollisionNode& b = b_.nodes[node_b];
     const double apart = a.ball.r + b.ball.r + reach_;
     if ((X_BA_ * a.ball.c - b.ball.c).squaredNorm() > apart * apart) return;
-    // Two leaves are a pair of faces.
+    // Add two leaves as a pair of faces.
     const bool leaf_a = a.triangle >= 0, leaf_b = b.triangle >= 0;
     if (leaf_a && leaf_b) return add_faces(a, b);
     // For a large face, its triangle excludes more than its ball.
@@ -53,7 +53,7 @@ class PairSearch {
       return;
     if (leaf_b && !ball_near_face(X_BA_ * a.ball.c, a.ball.r + reach_, b_.faces[b.triangle]))
       return;
-    // The larger node is replaced by its children.
+    // Replace the larger node by its children.
     if (!leaf_a && (leaf_b || a.ball.r > b.ball.r)) {
       near_.stack.push_back({a.left, node_b});
       near_.stack.push_back({a.right, node_b});
@@ -106,7 +106,7 @@ SegmentParameters nearest_on_segments(const Vector3d& from_a, const Vector3d& wa
   const double c = way_a.dot(r);
   if (bb == 0) return {std::clamp(-c / aa, 0.0, 1.0), 0};
   const double f = way_b.dot(r), ab = way_a.dot(way_b), turn = aa * bb - ab * ab;
-  // Nearest points of lines that are not parallel, then clamped to both segments.
+  // Find the nearest points of lines that are not parallel, then clamp them to both segments.
   double s = turn > 1e-14 * aa * bb ? std::clamp((ab * f - c * bb) / turn, 0.0, 1.0) : 0.5;
   double t = (ab * s + f) / bb;
   if (t < 0 || t > 1) {

@@ -77,7 +77,7 @@ double ellipsoid_on_solid(const CollisionPart& a, const CollisionPart& b, const 
 
 double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                    double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
-  // A is the part whose form comes first.
+  // Take as A the part whose form comes first.
   if (b.form < a.form) return find_flipped(a, b, X_BA, margin, memory, points);
   if (b.form == PartForm::kRound)
     return internal::round_on_round(a, b, X_BA, margin, memory, points);
@@ -87,7 +87,7 @@ double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<do
     return internal::box_on_box(a, b, X_BA, margin, memory, points);
   if (a.form == PartForm::kRound)
     return internal::round_on_polyhedron(a, b, X_BA, margin, memory, points);
-  // Cylinders and ellipsoids on convex solids; if that fails, as polyhedra.
+  // Handle cylinders and ellipsoids on convex solids; if that fails, treat them as polyhedra.
   if (a.form == PartForm::kBox && b.form == PartForm::kCylinder)
     return cylinder_on_box(a, b, X_BA, margin, memory, points);
   if (b.form != PartForm::kPolyhedron && (a.is_ellipsoid || b.is_ellipsoid))

@@ -56,7 +56,7 @@ class PolyhedronBuilder {
       neighbours_[first->low].push_back(first->high);
       neighbours_[first->high].push_back(first->low);
       if (last - first != 2) return add_edge(first[0], first[last - first > 1 ? 1 : 0]);
-      // Flat edges merge planes; concave ones cannot touch first.
+      // Merge planes at flat edges; skip concave ones, which cannot touch first.
       const int one = place_[first[0].triangle];
       const int other = place_[first[1].triangle];
       const Vector3d n = built_->faces[one].n;
@@ -105,7 +105,7 @@ class PolyhedronBuilder {
         built_->directions.push_back((mesh_.vertices.col(to) - corner.p).stableNormalized());
       corner.count = static_cast<int>(built_->directions.size()) - corner.first;
     }
-    // Each corner belongs to the first face that has it.
+    // Assign each corner to the first face that has it.
     std::vector<bool> owned(built_->corners.size(), false);
     for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i)
       for (int k = 0; k < 3; ++k) {

@@ -49,7 +49,7 @@ class FeatureContacts {
     for (const int i : near.corners_a) add_corner_a(i);
     for (const int i : near.corners_b) add_corner_b(i);
     for (const auto& pair : near.edges) add_edges(pair[0], pair[1]);
-    // Bodies that overlap without a local contact have a contact at their deepest corner.
+    // Add the deepest corner of bodies that overlap without a local contact.
     if (deepest_ == 0 && covered_.distance < 0)
       add_point(covered_.on_a, covered_.on_b, covered_.n, FeatureKind::kWitness, 0, 0);
     return least_;
@@ -102,7 +102,7 @@ class FeatureContacts {
     if (!(at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1))
       return;  // corners are contacts of their own
     const double distance = (on_a - on_b).norm();
-    // Common normal, out of B and into A.
+    // Compute the common normal, out of B and into A.
     Vector3d n = axis.cross(b.axis);
     const double sine = n.norm();
     if (sine < kMinCrossingSine * std::sqrt(axis.squaredNorm() * b.axis.squaredNorm())) return;
@@ -162,7 +162,7 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
     const double least = contacts.add(near), deepest = contacts.deepest();
     if (-2 * deepest <= near.reach - moved || near.reach >= margin + kMaxReach) {
       memory.overlapped = deepest < 0;
-      // No other feature is nearer than the distance of the search.
+      // Bound other features by the distance of the search.
       return std::min(least, near.reach - moved);
     }
     points.resize(first);
@@ -275,7 +275,7 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
     moved = 0;
     find_near_faces(from, to, *b.polyhedron, std::max(a.radius[0], a.radius[1]) + near.reach, near);
   }
-  // The faces are usable only while the axis is outside.
+  // Use the faces only while the axis is outside.
   const double inside_from = b.shape->distance(from);
   const double inside_to = a.half_length > 0 ? b.shape->distance(to) : inside_from;
   double least = near.reach - moved;
@@ -283,7 +283,7 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
     const std::size_t first = points.size();
     least = std::min(least, RoundContacts(a, *b.polyhedron, X_BA, margin, points).add(near));
     memory.overlapped = least < 0;
-    // With both ends outside, balls in between may still touch.
+    // Test balls between the ends, which may touch while both ends are outside.
     if (points.size() > first || a.half_length == 0) return least;
     for (const double s : {0.25, 0.5, 0.75}) {
       const ManifoldPoint point = ball_within(hull, *b.shape, s);

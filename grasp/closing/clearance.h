@@ -16,7 +16,7 @@ namespace thenar {
 
 /// Clearance of a surface of the hand from another surface or from a body, which must outlive it.
 struct Clearance {
-  int surface;                      // entry of Hand::surfaces()
+  int surface = 0;                  // entry of Hand::surfaces()
   int other = -1;                   // entry of Hand::surfaces() of the other surface; -1: `body`
   const GraspBody* body = nullptr;  // the other body; null: `other`
   double bound = 0;                 // lower bound of the clearance [m]
@@ -55,7 +55,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
 struct Overlap {
   std::string surface;
   std::string other;
-  double depth;  // penetration [m]
+  double depth = 0;  // penetration [m]
 };
 
 /// Clearances and overlaps between surfaces of one hand.

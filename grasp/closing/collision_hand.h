@@ -17,7 +17,7 @@ using MovedBy = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Two surfaces of one hand between which contact is checked.
 struct SurfacePair {
-  int a, b;                // entries of Hand::surfaces()
+  int a = 0, b = 0;        // entries of Hand::surfaces()
   double yield_depth = 0;  // overlap at which they stop each other [m]
   /// Minimum share of the speed into the other surface at which they stick [1]
   double sticking_cosine = 0;

@@ -60,7 +60,7 @@ bool is_held_between_two(const std::vector<HandContact>& contacts) {
   return a.torsion == 0 && b.torsion == 0 && within(a, line) && within(b, -line);
 }
 
-std::string outcome_words(const Grasp& grasp) {
+std::string describe_outcome(const Grasp& grasp) {
   const ApproachResult& way = grasp.approached;
   switch (grasp.outcome) {
     case GraspOutcome::kGrasped:

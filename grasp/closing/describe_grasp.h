@@ -23,7 +23,7 @@ namespace thenar {
 
 /// Returns the outcome in words: "grasped: 12 contacts, force closure", "the hand begins in
 /// something: DP2 is 3.2 mm in table", ..
-[[nodiscard]] std::string outcome_words(const Grasp& grasp);
+[[nodiscard]] std::string describe_outcome(const Grasp& grasp);
 
 /// Returns a list of overlaps: "DP2 is 3.2 mm in table, ..."
 [[nodiscard]] std::string describe_overlaps(const std::vector<Overlap>& overlaps);

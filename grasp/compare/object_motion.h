@@ -19,7 +19,7 @@ struct ObjectMotion {
   Manipulability manipulability;
   Eigen::VectorXd
       speeds;        // singular values of the motions that drives allow without slip, descending
-  int drives;        // number of drives: motors, or joints with an actuator of their own
+  int drives = 0;    // number of drives: motors, or joints with an actuator of their own
   std::string unit;  // "m/rad", "m/m", or "m/rad or m/m" where drives are of both kinds
 };
 

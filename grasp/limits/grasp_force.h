@@ -15,13 +15,14 @@ enum class GraspForceObjective {
 
 /// Result of minimum_grasp_force().
 struct [[nodiscard]] GraspForce {
-  Status status;     // kInfeasible: proof that contacts and limits cannot hold the load
-  double objective;  // sum of the normal forces, or that of the most loaded patch [N]; infinite if
-                     // infeasible
+  /// kInfeasible: proof that contacts and limits cannot hold the load.
+  Status status = Status::kStalled;
+  double objective = 0;  // sum of the normal forces, or that of the most loaded patch [N]; infinite
+                         // if infeasible
   ContactForces forces;  // an optimal choice
   ScaledWrench
-      unbalanced;   // wrench of the contacts plus resistible_part() of the load: rounding error
-  double residual;  // largest of the scaled KKT conditions [1]
+      unbalanced;       // wrench of the contacts plus resistible_part() of the load: rounding error
+  double residual = 0;  // largest of the scaled KKT conditions [1]
 };
 
 /// Finds the smallest contact forces in equilibrium with a load:

@@ -3,18 +3,19 @@
 /// Support of a force set: its extreme wrench, or its maximum load, in one direction, by a cone
 /// program.
 
+#include "base/numbers.h"
 #include "grasp/limits/force_set.h"
 
 namespace thenar {
 
 /// Extreme wrench of a force set in one direction, with the contact forces that produce it.
 struct [[nodiscard]] WrenchSupport {
-  Status status;         // status of the program, which decides on the members below
-  double value;          // infinite if unbounded, NaN if infeasible or stalled
-  double bound;          // upper bound by the multipliers, >= value; equals value unless solved
+  Status status = Status::kStalled;  // status of the program, which decides on the members below
+  double value = kNaN;               // infinite if unbounded, NaN if infeasible or stalled
+  double bound = 0;      // upper bound by the multipliers, >= value; equals value unless solved
   ScaledWrench wrench;   // at the extreme point; zero unless solved
   ContactForces forces;  // contact forces that produce this wrench
-  double residual;       // largest of the KKT conditions [1]
+  double residual = 0;   // largest of the KKT conditions [1]
 };
 
 /// Computes the support function of the wrenches of a force set:  h(u) = max u' w.

@@ -13,11 +13,11 @@ namespace thenar::internal {
 
 /// A face of dimension 1 to 3 of the body of one contact; the whole body is also a face.
 struct ContactFace {
-  int dimension;
+  int dimension = 0;
   std::array<WrenchCoordinates, 3> span;    // vectors that span it, as many as its dimension
-  double size;                              // measure over that of the parallelotope of `span` [1]
+  double size = 0;                          // measure over that of the parallelotope of `span` [1]
   std::array<WrenchCoordinates, 2> inward;  // vectors from it along the neighbouring faces
-  int inward_count;  // number of vectors; u is an outer normal if u'inward < 0 for each
+  int inward_count = 0;  // number of vectors; u is an outer normal if u'inward < 0 for each
 };
 
 /// Convex hull of points and 0, of dimension at most 3.

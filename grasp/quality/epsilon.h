@@ -23,18 +23,18 @@ struct EpsilonOptions {
 /// search continues beyond `gap` until the sign of the value is certain, or the value is below 1e-9
 /// of the largest wrench.
 struct [[nodiscard]] Epsilon {
-  double lower;                // certified lower bound of the true value [1]
-  double upper;                // certified upper bound [1]
-  int rank;                    // dimension of the affine hull of the wrenches and 0, 0..6
-  bool force_closure;          // lower > 0 at full rank: 6, for planar_epsilon() 3
-  bool has_missing_direction;  // true without force closure
+  double lower = 0;                    // certified lower bound of the true value [1]
+  double upper = 0;                    // certified upper bound [1]
+  int rank = 0;                        // dimension of the affine hull of the wrenches and 0, 0..6
+  bool force_closure = false;          // lower > 0 at full rank: 6, for planar_epsilon() 3
+  bool has_missing_direction = false;  // true without force closure
   ScaledWrench
       missing_direction;  // unit u along which the grasp cannot push: each of its wrenches has w'u
                           // <= upper, which is <= 0, or about 0 if the sign is uncertain
   ScaledWrench worst_wrench;  // unit disturbance that is resisted least, -argmin h
-  bool converged;             // true: upper - lower <= gap
-  int supports;               // number of support points computed
-  int facets;                 // number of facets of the last hull; 0 if none was needed
+  bool converged = false;     // true: upper - lower <= gap
+  int supports = 0;           // number of support points computed
+  int facets = 0;             // number of facets of the last hull; 0 if none was needed
 };
 
 /// Computes epsilon = min over |u| = 1 of h_W(u), h_W the support function of the wrench set W.
@@ -57,8 +57,8 @@ namespace thenar::internal {
 struct [[nodiscard]] MinNorm {
   WrenchCoordinates x;          // point of the set, up to rounding: the distance is at most |x| [1]
   WrenchCoordinates direction;  // unit direction with the smallest support found
-  double support;               // h(direction): if negative, the distance is at least -support [1]
-  int supports;                 // number of support points computed
+  double support = 0;           // h(direction): if negative, the distance is at least -support [1]
+  int supports = 0;             // number of support points computed
 };
 
 /// Finds min |x| over the set by Wolfe's method on support points, until |x| + h(-x/|x|) <= gap or

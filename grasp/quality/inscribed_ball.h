@@ -9,21 +9,22 @@ namespace thenar {
 /// Settings of inscribed_ball().
 struct BallOptions {
   double gap = 1e-2;  // maximum of certified upper - lower, over upper [1]
-  double max_total_force =
-      1e4;                 // limit of the sum of normal forces, which makes the set bounded [N]
+  /// Limit of the sum of normal forces, which makes the set bounded [N].
+  double max_total_force = 1e4;
   int max_programs = 600;  // maximum number of cone programs
 };
 
 /// Signed radius of the largest ball about the origin in the wrenches of a force set.
 struct [[nodiscard]] InscribedBall {
-  Status status;  // kSolved; kInfeasible: no force is possible; kLimit: `max_programs` reached;
-                  // kUnbounded: every wrench is possible, both bounds are infinite
-  double lower;   // lower bound of the radius, within `residual` times 1 N and the largest wrench
-                  // found [N]
-  double upper;   // upper bound of the radius, within the same [N]
+  /// kSolved; kInfeasible: no force is possible; kLimit: `max_programs` reached; kUnbounded: every
+  /// wrench is possible, both bounds are infinite.
+  Status status = Status::kStalled;
+  double lower = 0;  // lower bound of the radius, within `residual` times 1 N and the largest
+                     // wrench found [N]
+  double upper = 0;  // upper bound of the radius, within the same [N]
   ScaledWrench worst_load;  // unit load that is resisted least (6)
-  int programs;             // number of cone programs solved
-  double residual;          // largest of their recomputed KKT conditions [1]
+  int programs = 0;         // number of cone programs solved
+  double residual = 0;      // largest of their recomputed KKT conditions [1]
 };
 
 /// Computes epsilon = min over |u| = 1 of h(u), h the support function of the set. Each direction

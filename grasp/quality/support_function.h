@@ -10,7 +10,7 @@ namespace thenar::internal {
 
 /// Support in a direction, with a point of the set that attains it.
 struct SupportPoint {
-  double h;             // support h(u)
+  double h = 0;         // support h(u)
   WrenchCoordinates p;  // a point of the set with p' u = h
 };
 
@@ -50,7 +50,7 @@ class SupportFunction {
 
 /// Linear span of the wrenches of a set.
 struct WrenchSpan {
-  int rank;                           // dimension: singular values above 1e-10 of the largest
+  int rank = 0;                       // dimension: singular values above 1e-10 of the largest
   Eigen::Matrix<double, 6, 6> basis;  // orthonormal columns, the spanning ones first
 };
 /// Computes the span of all centres and semi-axes of a set.
@@ -59,8 +59,8 @@ struct WrenchSpan {
 /// Seven support points that span all six dimensions.
 struct FirstSimplex {
   std::array<WrenchCoordinates, 7> points;
-  bool found;    // false: the set is flatter than the given width
-  int supports;  // number of support points computed
+  bool found = false;  // false: the set is flatter than the given width
+  int supports = 0;    // number of support points computed
 };
 
 /// Finds a simplex point by point: each is the farthest from the affine hull of those before.

@@ -10,9 +10,9 @@ namespace thenar::internal {
 
 /// Result of prove_support().
 struct SupportProof {
-  bool found;       // true: h(u) >= r for all |u| = 1 is proven
-  int parts;        // number of parts of the sphere that were examined
-  double residual;  // smallest eigenvalue of all forms F, for a set of size 1: > 0 if found [1]
+  bool found = false;   // true: h(u) >= r for all |u| = 1 is proven
+  int parts = 0;        // number of parts of the sphere that were examined
+  double residual = 0;  // smallest eigenvalue of all forms F, for a set of size 1: > 0 if found [1]
   std::optional<WrenchCoordinates> below;  // unit u with h(u) < r, which disproves the claim (6)
 };
 

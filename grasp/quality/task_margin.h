@@ -10,11 +10,11 @@ namespace thenar {
 
 /// Maximum k for which the grasp resists every load of k T, T the loads of a task.
 struct [[nodiscard]] TaskMargin {
-  Status status;  // of the program that failed, otherwise kSolved
-  double lower;   // lower bound of k, within `residual` of 1 + itself [1]
-  double upper;   // upper bound of k, within the same; infinite if the forces are unlimited [1]
+  Status status = Status::kStalled;  // of the program that failed, otherwise kSolved
+  double lower = 0;                  // lower bound of k, within `residual` of 1 + itself [1]
+  double upper = 0;  // upper bound of k, within the same; infinite if the forces are unlimited [1]
   ScaledWrench worst_load;  // load of T or on its boundary that is the first not to be resisted (6)
-  double residual;          // largest of the recomputed KKT conditions of its programs [1]
+  double residual = 0;      // largest of the recomputed KKT conditions of its programs [1]
 };
 
 /// Computes the margin of a list of loads T: k = min over loads of load_margin(), one program each,

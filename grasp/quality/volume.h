@@ -2,6 +2,7 @@
 
 /// Volume of a wrench set.
 
+#include "base/numbers.h"
 #include "base/progress.h"
 #include "grasp/contact/wrench_set.h"
 
@@ -18,12 +19,13 @@ struct VolumeOptions {
 
 /// Six-dimensional volume [unit forces^6].
 struct [[nodiscard]] Volume {
-  double lower;     // volume with pyramids inside the cones, up to rounding (1e-12 of it)
-  double upper;     // volume with pyramids outside; infinite if that hull is incomplete
-  double estimate;  // estimate between the two; NaN unless `complete`
-  bool complete;    // true: the hulls are complete with the requested edges, or with at least 6
-  int facets;       // number of facets of the last hull
-  int edges;        // number of edges of its pyramids; 0 without cones
+  double lower = 0;        // volume with pyramids inside the cones, up to rounding (1e-12 of it)
+  double upper = 0;        // volume with pyramids outside; infinite if that hull is incomplete
+  double estimate = kNaN;  // estimate between the two; NaN unless `complete`
+  /// True: the hulls are complete with the requested edges, or with at least 6.
+  bool complete = false;
+  int facets = 0;  // number of facets of the last hull
+  int edges = 0;   // number of edges of its pyramids; 0 without cones
 };
 
 /// Computes the volume of conv(caps) (kL1), or of the Minkowski sum of caps joined with 0 (kLinf).

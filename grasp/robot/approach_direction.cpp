@@ -107,7 +107,7 @@ Vector3d perpendicular_direction(const Vector3d& direction, const Vector3d& line
   return rest.norm() > kMinDirectionNorm ? Vector3d(rest.normalized()) : direction;
 }
 
-Vector3d without_rounding(const Vector3d& direction) {
+Vector3d snap_to_axis(const Vector3d& direction) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   const Vector3d axis = (direction[largest] < 0 ? -1 : 1) * Vector3d::Unit(largest);

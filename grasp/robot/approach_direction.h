@@ -36,6 +36,6 @@ struct ClosingAxes {
 
 /// Removes the rounding of a file's numbers: returns an axis of the frame if the direction is
 /// within 1e-5 rad of it, otherwise the direction. (3)
-[[nodiscard]] Eigen::Vector3d without_rounding(const Eigen::Vector3d& direction);
+[[nodiscard]] Eigen::Vector3d snap_to_axis(const Eigen::Vector3d& direction);
 
 }  // namespace thenar

@@ -22,7 +22,7 @@ struct ProbeBall {
 
 /// Contact of a link with the ball.
 struct BallContact {
-  int surface;             // entry of BallGrasp::surfaces()
+  int surface = 0;         // entry of BallGrasp::surfaces()
   Eigen::Vector3d normal;  // unit, into the ball (3)
 };
 

@@ -119,7 +119,7 @@ PalmApproach DigitMotion::forward_approach(std::size_t option) const {
   PalmApproach approach;
   if (rough.norm() > kMinPalmOffset)
     approach.direction =
-        without_rounding(approach_near(rough.normalized(), option, find_closing_axes(axes), links));
+        snap_to_axis(approach_near(rough.normalized(), option, find_closing_axes(axes), links));
   // The point of approach is at the end of the palm's box.
   const Eigen::Matrix3d R =
       frame_along(approach.direction, axes.cols() > 0 ? Vector3d(axes.col(0)) : Vector3d::Zero());
@@ -165,7 +165,7 @@ std::optional<DigitMotion::JawPath> DigitMotion::jaw_path(std::size_t option,
   const ClosingAxes axes = find_closing_axes(closing_axes(digit, option, q));
   const auto face = facing_direction(faces_of(digits_.grip(), palm_surfaces(digits_.grip()), links),
                                      rough, kMinForwardCosine, axes.line);
-  return JawPath{without_rounding(approach_near(rough, option, axes, links)), face.has_value()};
+  return JawPath{snap_to_axis(approach_near(rough, option, axes, links)), face.has_value()};
 }
 
 std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorXd& open) const {

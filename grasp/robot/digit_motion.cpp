@@ -28,9 +28,10 @@ int position_count(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 
 
 }  // namespace
 
-DigitMotion::DigitMotion(const BallGrasp& grip, bool closing) : digits_(grip) {
+DigitMotion::DigitMotion(const BallGrasp& grip, ClosingSource closing)
+    : digits_(grip), closing_(closing) {
   // Stated speeds define how the hand closes; otherwise several directions are tried.
-  if (closing) {
+  if (closing == ClosingSource::kStated) {
     SenseOption stated;
     for (const Drive& drive : digits_.drives()) stated.speed.push_back(drive.speed);
     options_ = {stated};
@@ -125,7 +126,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   // The normal is aligned with a flat face of the palm, if there is one.
   const std::vector<Pose<double>> links = digits_.grip().hand().pose(digits_.rest());
   roles.normal = normal.normalized();
-  roles.normal = without_rounding(
+  roles.normal = snap_to_axis(
       facing_direction(faces_of(digits_.grip(), palm_surfaces(digits_.grip()), links), roles.normal,
                        kMinPalmNormalCosine, {})
           .value_or(roles.normal));
@@ -194,11 +195,11 @@ std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::
   return postures;
 }
 
-std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const DigitRoles& roles,
-                                                    bool only_one) const {
+std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option,
+                                                    const DigitRoles& roles) const {
   // A stated closing starts at its stated posture; jaws open as far as possible.
   const VectorXd& stated = layout().open;
-  if (only_one)
+  if (closing_ == ClosingSource::kStated)
     return {posture_at_opening(option, stated.size() > 0 ? stated : digits_.rest(), kInfinity)};
   if (!roles.palm && are_jaws()) return {posture_at_opening(option, digits_.rest(), kInfinity)};
   // Fingers that also bend backwards must not open so far that they are behind the palm.

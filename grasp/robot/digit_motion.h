@@ -36,11 +36,14 @@ struct FixedJaw {
   double opening = 0;  // distance from the face to the outer half of the open jaw [m]
 };
 
+/// Source of the directions in which a hand closes: the stated speeds of its drives, from its open
+/// posture; or several directions and postures that are tried.
+enum class ClosingSource { kStated, kInferred };
+
 /// Motion of a hand's digits by its drives. Constant after construction; the grasp must outlive it.
 class DigitMotion {
  public:
-  /// @param closing  whether the speeds of the hand's drives state how it closes
-  DigitMotion(const BallGrasp& grip, bool closing);
+  DigitMotion(const BallGrasp& grip, ClosingSource closing);
 
   [[nodiscard]] const std::vector<std::string>& digits() const { return digits_.names(); }
   /// Returns the rest posture [rad] or [m] (coordinates): every coordinate at zero or the limit
@@ -52,10 +55,9 @@ class DigitMotion {
   [[nodiscard]] std::vector<Drive> drives(std::size_t option) const;
   [[nodiscard]] DigitRoles roles(std::size_t option) const;
   /// Returns postures in which closing may begin: closing drives open, opposed digits turned to all
-  /// positions.
+  /// positions. A stated closing has only one.
   [[nodiscard]] std::vector<Eigen::VectorXd> opening_postures(std::size_t option,
-                                                              const DigitRoles& roles,
-                                                              bool only_one) const;
+                                                              const DigitRoles& roles) const;
   /// Computes the approach from the end of the palm's box, in the direction from its centre to the
   /// half-closed digit tips: perpendicular to the axes about which digits close, and along flat
   /// faces of sliding jaws or of the palm.
@@ -95,6 +97,7 @@ class DigitMotion {
   [[nodiscard]] Eigen::Vector3d curl_motion(const HandDigit& digit, std::size_t option) const;
   [[nodiscard]] double turn_range(const HandDigit& digit) const;
   HandDigits digits_;
+  ClosingSource closing_;
   std::vector<SenseOption> options_;
 };
 

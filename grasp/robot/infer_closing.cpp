@@ -55,7 +55,10 @@ struct ApproachPaths {
 class ClosingSearch {
  public:
   ClosingSearch(const RobotSpec& robot, const StatedClosing& known)
-      : robot_(robot), known_(known), grip_(robot), motion_(grip_, known.closing) {
+      : robot_(robot),
+        known_(known),
+        grip_(robot),
+        motion_(grip_, known.closing ? ClosingSource::kStated : ClosingSource::kInferred) {
     // The ball fits the size of the hand; a digit that only translates has no length.
     const double size = kRadiusPerLength * motion_.mean_digit_length();
     const bool human =
@@ -98,7 +101,7 @@ class ClosingSearch {
   /// Tries every approach with every opening posture for one combination of closing directions.
   void try_option(std::size_t option) {
     const DigitRoles roles = motion_.roles(option);
-    const std::vector<VectorXd> opens = motion_.opening_postures(option, roles, known_.closing);
+    const std::vector<VectorXd> opens = motion_.opening_postures(option, roles);
     for (const ApproachPaths& paths : paths_of(option, roles, opens.front()))
       for (const VectorXd& open : opens) {
         const std::vector<Pose<double>> links = grip_.hand().pose(open);

@@ -59,7 +59,7 @@ BandEvidence band_evidence(const FitProblem& problem, const std::vector<Eigen::V
 /// Maximum tension of one passive band over all trials.
 struct BandTension {
   std::string band;
-  double tension;  // [N]
+  double tension = 0;  // [N]
 };
 /// Returns the maximum tension of each passive band, in the net's order.
 [[nodiscard]] std::vector<BandTension> largest_tensions(const FitProblem& problem,

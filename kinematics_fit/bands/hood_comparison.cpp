@@ -142,7 +142,7 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
   std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
   if (!subject.surfaces.empty()) paths.emplace_back(Path::kWrapped, ", wrapped");
 
-  // Adds a rung with each kind of path.
+  // Add a rung with each kind of path.
   const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,
                        NetPaths paths_of_net = NetPaths::kWrapped) {
     for (const auto& [path, suffix] : paths) {

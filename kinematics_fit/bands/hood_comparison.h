@@ -47,8 +47,8 @@ struct HoodComparison {
 struct TrialForces {
   Eigen::Matrix3Xd force;  // force in the experiment's components [N] (3, trials)
   std::vector<std::string>
-      warning;     // reason why the trial is unreliable; empty if reliable (trials)
-  double seconds;  // median time for one trial [s]
+      warning;         // reason why the trial is unreliable; empty if reliable (trials)
+  double seconds = 0;  // median time for one trial [s]
 };
 
 /// Computes the forces of every trial. @throws InputError if the experiment does not fit the digit.

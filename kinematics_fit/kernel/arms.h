@@ -17,17 +17,18 @@ inline V angle_at(const AngleStep& angle, const PosedDigit& posed) {
 
 /// Computes arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
 inline void set_paths(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
-  // Constant arms; strands with a path start from zero.
+  // Set constant arms; strands with a path start from zero.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i)
     posed.frictionless_arm[i] = digit.number[program.arms + i];
   for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
-  // Positions of the path points in the posture.
+  // Compute the positions of the path points in the posture.
   for (int k = 0; k < program.nodes.size(); ++k)
     posed.node[k] =
         link_point(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
   for (int k = 0; k < program.runs.size(); ++k) {
-    // Direction of the run, and its contribution to the arm about every hinge between its ends.
+    // Compute the direction of the run, and add its contribution to the arm about every hinge
+    // between its ends.
     const RunStep& run = program.runs[k];
     const Vec way = posed.node[run.to] - posed.node[run.from];
     posed.length[k] = 1.0 / square_root(dot(way, way));
@@ -45,7 +46,7 @@ inline void adjoint_paths(const Program& program, const PosedDigit& posed, Posed
                           Wrenches& on, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int k = 0; k < program.runs.size(); ++k) {
-    // Each term of the arm: adjoints of the direction, the axis and both points.
+    // Add, for each term of the arm, adjoints of the direction, the axis and both points.
     const RunStep& run = program.runs[k];
     const Vec u = posed.run[k];
     Vec u_bar = {V{}, V{}, V{}};
@@ -60,12 +61,12 @@ inline void adjoint_paths(const Program& program, const PosedDigit& posed, Posed
       adjoint.point[climb.hinge] -= r_bar;
       adjoint.node[climb.node] += r_bar;
     }
-    // Normalisation of the direction removes the component along the run.
+    // Remove the component along the run, as the direction is normalised.
     const Vec way_bar = posed.length[k] * (u_bar - dot(u_bar, u) * u);
     adjoint.node[run.to] += way_bar;
     adjoint.node[run.from] -= way_bar;
   }
-  // From path points to links, then from constant arms to their numbers.
+  // Pass adjoints from path points to links, then from constant arms to their numbers.
   for (int k = 0; k < program.nodes.size(); ++k)
     adjoint_link_point(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
                        adjoint.node[k], on, adjoint_digit);
@@ -90,7 +91,7 @@ inline bool bends_before(const Program& program, int j) {
 /// Computes arm = frictionless_arm exp(-mu bent),  with bent_j the sum of the bends between the
 /// muscle and coordinate j.
 inline void set_friction(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
-  // Without sheaths, the arms are those without friction.
+  // Without sheaths, copy the arms without friction.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
   if (program.sheaths.size() == 0) return;
@@ -100,7 +101,7 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
     const V size = size_of(bend, posed);
     for (int j = bend.first_coordinate_beyond; j < n; ++j) posed.bent[j] += size;
   }
-  // Tension ratio; without another bend it equals that of the previous coordinate.
+  // Compute the tension ratio; without another bend it equals that of the previous coordinate.
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
@@ -116,13 +117,13 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
 inline void adjoint_friction(const Program& program, const DigitParameters& digit,
                              const PosedDigit& posed, PosedDigit& adjoint,
                              DigitParameters& adjoint_digit) {
-  // Without sheaths, the adjoints are unchanged.
+  // Without sheaths, keep the adjoints.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];
   if (program.sheaths.size() == 0) return;
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
-      // Adjoints of the arm, of the friction and of the bends.
+      // Add adjoints of the arm, of the friction and of the bends.
       const int i = sheath.strand * n + j;
       adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.tension_ratio[i];
       const V lost = adjoint.arm[i] * posed.arm[i];
@@ -130,7 +131,7 @@ inline void adjoint_friction(const Program& program, const DigitParameters& digi
       adjoint.bent[j] -= lost * digit.number[sheath.friction];
     }
   for (const BendStep& bend : program.bends) {
-    // From bends to the angles that cause them.
+    // Pass adjoints from bends to the angles that cause them.
     if (bend.angle.coordinate < 0) continue;
     V size_bar = V{};
     for (int j = bend.first_coordinate_beyond; j < n; ++j) size_bar += adjoint.bent[j];

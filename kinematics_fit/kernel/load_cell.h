@@ -21,7 +21,7 @@ inline Tilt tilt_of(const Vec& w) {
   Tilt t;
   t.h = splat(0.5) * w;
   const Vec& h = t.h;
-  // K + K^2 from the components of h, column by column.
+  // Compute K + K^2 from the components of h, column by column.
   const V square = dot(h, h);
   t.s = 2.0 / (1.0 + square);
   t.turn = {{h.x * h.x - square, h.x * h.y + h.z, h.x * h.z - h.y},
@@ -55,7 +55,7 @@ inline void set_load_cell(const Program& program, const DigitParameters& digit, 
     *posed.cell = constant_matrix(program.still_cell);
     return;
   }
-  // Tilt of the cell, and rotation from the tip's axes to those of the components.
+  // Compute the tilt of the cell, and the rotation from the tip's axes to those of the components.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   *posed.cell = constant_matrix(program.components) * tilt.Q;
   if (program.force_link != program.tip_link)
@@ -67,12 +67,12 @@ inline void adjoint_load_cell(const Program& program, const DigitParameters& dig
                               const PosedDigit& posed, const Mat& cell_bar, Wrenches& on,
                               DigitParameters& adjoint_digit) {
   if (!program.cell_moves) return;
-  // The tilt is the last factor of the product.
+  // Differentiate by the tilt, the last factor of the product.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   const Mat components = constant_matrix(program.components);
   Mat tilted_bar = cell_bar;
   if (program.force_link != program.tip_link) {
-    // Both sets of axes rotate with their links.
+    // Differentiate by the links, with which both sets of axes rotate.
     const Mat stated = stated_axes(program, posed);
     const Mat between = transposed(stated) * *posed.axes;
     const Mat between_bar = transposed(components * tilt.Q) * cell_bar;
@@ -122,7 +122,7 @@ inline Vec unexplained_force(const Program& program, const DigitParameters& digi
 /// Computes map = cell (rows of P that are forces) and force = map torque + cell unexplained.
 inline void set_forces(const Program& program, int k, const DigitParameters& digit,
                        PosedDigit& posed, V* force) {
-  // Force components per joint torque.
+  // Compute the force components per joint torque.
   const int n = program.coordinates;
   const Mat cell = *posed.cell;
   const V* P = posed.inverse;
@@ -131,7 +131,7 @@ inline void set_forces(const Program& program, int k, const DigitParameters& dig
     const Vec f = cell * tip_force_of(program, P, j);
     map[j] = f.x, map[n + j] = f.y, map[2 * n + j] = f.z;
   }
-  // Forces of each trial of the posture.
+  // Compute the forces of each trial of the posture.
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
     Vec f = {V{}, V{}, V{}};
@@ -172,7 +172,7 @@ inline void adjoint_unexplained(const Program& program, int trial, const DigitPa
 inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& digit,
                           const PosedDigit& posed, const V* force_bar, PosedDigit& adjoint,
                           DigitParameters& adjoint_digit) {
-  // From forces of the trials to the map and the torques.
+  // Pass adjoints from forces of the trials to the map and the torques.
   const int n = program.coordinates;
   const V *P = posed.inverse, *map = posed.map;
   Mat cell_bar = constant_matrix(kIdentity);
@@ -192,7 +192,7 @@ inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& 
     if (program.unexplained_moves)
       adjoint_unexplained(program, i, digit, posed, push, adjoint_digit, cell_bar);
   }
-  // From the map to the pseudo-inverse, and to the cell if it moves.
+  // Pass adjoints from the map to the pseudo-inverse, and to the cell if it moves.
   for (int j = 0; j < n; ++j) {
     const Vec map_bar = {adjoint.map[j], adjoint.map[n + j], adjoint.map[2 * n + j]};
     const Vec push = turned_back(*posed.cell, map_bar);

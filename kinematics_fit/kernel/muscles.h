@@ -36,12 +36,13 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
     for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
   const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
   for (int b = 0; b < program.shares.size(); ++b) {
-    // Fractions in this posture: logits are shifted by parameters and by flexion of the knuckle.
+    // Compute the fractions in this posture: parameters and flexion of the knuckle shift their
+    // logits.
     const ShareStep& share = program.shares[b];
     posed.into[b] = shifted(share.into, digit.number[share.into_shift]);
     posed.central[b] = shifted(
         share.central, digit.number[share.central_shift] + digit.number[share.slope] * bent);
-    // Arms through the hood, weighted by the fractions.
+    // Add the arms through the hood, weighted by the fractions.
     for (int j = 0; j < n; ++j) {
       const HoodStrandArms strands = hood_strand_arms(program, share, posed.arm, j);
       posed.row[share.muscle * n + j] +=
@@ -55,7 +56,7 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
 inline void adjoint_rows(const Program& program, const DigitParameters& digit,
                          const PosedDigit& posed, PosedDigit& adjoint,
                          DigitParameters& adjoint_digit) {
-  // Strands that the muscles pull.
+  // Add the strands that the muscles pull.
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j)
@@ -64,7 +65,8 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit,
   const HoodSteps& hood = program.hood;
   for (int b = 0; b < program.shares.size(); ++b) {
     const ShareStep& share = program.shares[b];
-    // Adjoints of the hood's strands, and the sums that give the adjoints of both fractions.
+    // Add adjoints of the hood's strands, and compute the sums that give the adjoints of both
+    // fractions.
     const V h = posed.into[b], c = posed.central[b];
     V by_central = V{}, by_lateral = V{};
     for (int j = 0; j < n; ++j) {
@@ -78,7 +80,7 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit,
       adjoint.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
       adjoint.arm[hood.terminal_slip * n + j] += lateral;
     }
-    // From the fractions to their logits, and to shifts, slope and knuckle.
+    // Pass adjoints from the fractions to their logits, and to shifts, slope and knuckle.
     const V h_bar = c * by_central + (1.0 - c) * by_lateral;
     const V c_bar = h * (by_central - by_lateral);
     adjoint_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
@@ -115,7 +117,7 @@ inline void adjoint_torques(const Program& program, int k, const DigitParameters
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
-    // From torques to arms, and to the gains.
+    // Pass adjoints from torques to arms, and to the gains.
     const V* push = adjoint.torque + (i - posture.first_trial) * n;
     for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
       const TensionStep& pull = program.pulls[t];

@@ -9,7 +9,7 @@ namespace {
 
 /// Computes number = start + weights u  and  direction = number / |number|.
 inline void set_parameters(const Program& program, const V* u, DigitParameters& digit) {
-  // Linear terms in u.
+  // Add the linear terms in u.
   for (int i = 0; i < program.start.size(); ++i) digit.number[i] = splat(program.start[i]);
   for (const LinearTerm& move : program.moves)
     digit.number[move.number] += move.weight * u[move.coordinate];
@@ -28,14 +28,14 @@ inline void set_parameters(const Program& program, const V* u, DigitParameters& 
 /// Adjoint of set_parameters(). Normalisation removes the component along the direction itself.
 inline void adjoint_parameters(const Program& program, const DigitParameters& digit,
                                DigitParameters& adjoint, V* u_bar) {
-  // Axis directions before normalisation.
+  // Differentiate by axis directions before normalisation.
   for (int i = 0; i < program.hinges.size(); ++i) {
     if (!program.hinges[i].tilts) continue;
     const Vec d = digit.direction[i], push = adjoint.direction[i];
     add_vector(adjoint.number + program.hinges[i].direction,
                digit.shrink[i] * (push - dot(push, d) * d));
   }
-  // Transpose of the linear terms.
+  // Apply the transpose of the linear terms.
   for (const LinearTerm& move : program.moves)
     u_bar[move.coordinate] += move.weight * adjoint.number[move.number];
 }

@@ -20,13 +20,13 @@ inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, c
 /// Computes sines and cosines of all hinges in posture `k`.
 inline void set_angles(const Program& program, int k, const DigitParameters& digit,
                        PosedDigit& posed) {
-  // Stated angles plus their errors in all postures and in this one.
+  // Add the errors of all postures and of this one to the stated angles.
   const int n = program.coordinates, own = program.postures[k].own_error;
   for (int j = 0; j < n; ++j) {
     posed.angle[j] = program.q[k * n + j] + digit.number[program.angle_error + j];
     if (own >= 0) posed.angle[j] += digit.number[own + j];
   }
-  // Sines and cosines; those of constant angles were precomputed.
+  // Compute sines and cosines; those of constant angles were precomputed.
   for (int i = 0; i < program.hinges.size(); ++i) {
     const StillAngle& still = program.still_angles[k * program.hinges.size() + i];
     const HingeStep& hinge = program.hinges[i];
@@ -56,7 +56,7 @@ inline void pose(const Program& program, const DigitParameters& digit, PosedDigi
     const HingeStep& hinge = program.hinges[i];
     const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
     Mat R = constant_matrix(kIdentity);
-    // Hinges at the base, then those on a link with a known pose.
+    // Pose hinges at the base, then those on a link with a known pose.
     posed.axis[i] = d, posed.point[i] = p;
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
@@ -83,7 +83,7 @@ inline void adjoint_pose(const Program& program, const PosedDigit& posed, Wrench
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
-    // The angle's adjoint is the moment along the axis.
+    // Take the moment along the axis as the angle's adjoint.
     adjoint.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
     Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + adjoint.axis[i];
     // Transfer force and moment to the parent, as for a free body.
@@ -97,7 +97,7 @@ inline void adjoint_pose(const Program& program, const PosedDigit& posed, Wrench
       on.moment[parent] +=
           M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], total);
     }
-    // Numbers of the hinge, if any coordinate moves them.
+    // Add adjoints of the hinge's numbers, if any coordinate moves them.
     if (hinge.tilts) adjoint_digit.direction[i] += tilt;
     if (hinge.shifts)
       add_vector(adjoint_digit.number + hinge.point, shift - turned_back(posed.R[i], F));

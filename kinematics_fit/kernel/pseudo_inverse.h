@@ -35,7 +35,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
     for (int j = 1; j < rows; ++j) sum += Q[a * rows + j] * Q[b * rows + j];
     return sum;
   };
-  // Gram-Schmidt, column by column, with two passes.
+  // Orthogonalise by Gram-Schmidt, column by column, with two passes.
   for (int i = 0; i < rows * columns; ++i) Q[i] = A[i];
   for (int k = 0; k < columns; ++k) {
     const V whole = product(k, k);
@@ -46,7 +46,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
         U[l * columns + k] += u;
         for (int j = 0; j < rows; ++j) Q[k * rows + j] -= u * Q[l * rows + j];
       }
-    // A column in the span of the previous ones is singular.
+    // Detect a column in the span of the previous ones.
     const V rest = product(k, k);
     inverse[k] = rest > kSingularSquare * whole ? 1.0 / rest : splat(kNaN);
   }
@@ -109,14 +109,14 @@ inline void null_projector(const V* L, const V* P, int n, int c, V* N) {
 template <int F>
 inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
                              V* L_bar, V* G) {
-  // First rows of P P'.
+  // Compute the first rows of P P'.
   for (int b = 0; b < F; ++b)
     for (int k = 0; k < c; ++k) {
       V sum = P[b * n] * P[k * n];
       for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
       G[b * c + k] = sum;
     }
-  // Row j of the bracket, times these rows.
+  // Multiply row j of the bracket by these rows.
   for (int j = 0; j < n; ++j) {
     V left[F];
     for (int b = 0; b < F; ++b) {
@@ -137,14 +137,14 @@ inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c,
                                V* work) {
   V *N = work, *W = N + F * c;
   null_projector<F>(L, P, n, c, N);
-  // W = Z (I - P L) - Z', where only F columns of Z are nonzero.
+  // Compute  W = Z (I - P L) - Z',  where only F columns of Z are nonzero.
   for (int a = 0; a < c; ++a)
     for (int k = 0; k < c; ++k) {
       V sum = a < F ? -Z[k * F + a] : V{};
       for (int b = 0; b < F; ++b) sum += Z[a * F + b] * N[b * c + k];
       W[a * c + k] = sum;
     }
-  // L_bar = P' W
+  // Compute  L_bar = P' W.
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < c; ++k) {
       V sum = P[j] * W[k];

@@ -82,7 +82,7 @@ inline long scratch_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);
   Wrenches wrenches(program, bump);
-  // Maximum over the postures, whose adjoints share the memory.
+  // Take the maximum over the postures, whose adjoints share the memory.
   long max_used = 0;
   for (const PostureStep& posture : program.postures) {
     BumpAllocator own(nullptr);
@@ -138,7 +138,7 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
   V* work = passing.allocate<V>(work_length(program));
   gather(weights, 3 * program.trials, force_bar);
   const DigitParameters digit(program, kept);
-  // Adjoints of the digit's numbers are sums over postures: start at zero.
+  // Clear the adjoints of the digit's numbers, which are sums over postures.
   const long before = passing.used();
   DigitParameters adjoint_digit(program, passing);
   clear(u_bar, program.fit_coordinates);
@@ -146,7 +146,7 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
   for (int k = 0; k < program.postures.size(); ++k) {
     const PosedDigit posed(program, program.postures[k], kept);
     if (!asks_for(program, k, force_bar)) continue;
-    // Adjoints of each posture start at zero.
+    // Clear the adjoints of the posture.
     BumpAllocator own = passing;
     PosedDigit adjoint(program, program.postures[k], own);
     Wrenches on(program, own);

@@ -60,17 +60,17 @@ inline V exponential(const V& x) {
   const double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
   const V shifted = y * 1.44269504088896338700e+00 + kRound;
   const V n = shifted - kRound;
-  // Remainder in two parts, so that no digit is lost.
+  // Compute the remainder in two parts, so that no digit is lost.
   const V high = y - n * 6.93147180369123816490e-01, low = n * 1.90821492927058770002e-10;
   const V r = high - low, t = r * r;
-  // Rational approximation of exp(r).
+  // Evaluate a rational approximation of exp(r).
   const V c =
       r - t * (1.66666666666666019037e-01 +
                t * (-2.77777777770155933842e-03 +
                     t * (6.61375632143793436117e-05 +
                          t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
   const V e = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
-  // 2^n from its exponent bits.
+  // Form 2^n from its exponent bits.
   const auto power = (internal::bits(shifted) << 52) + internal::bits(splat(1.0));
   return e * internal::lanes(power);
 }

@@ -13,14 +13,14 @@ namespace {
 /// moments,
 ///   ratio length axis . a_k.
 inline void set_loads(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
-  // Position and directions of the tip in the posture.
+  // Compute position and directions of the tip in the posture.
   const int c = program.loads, forces = program.tip_forces;
   const V out = digit.number[program.out_of_plane];
   const Vec tip = *posed.tip = link_point(program, digit, posed, program.tip_link, program.tip);
   const Mat a = *posed.axes = posed.R[program.tip_link] * constant_matrix(program.tip_axes);
   clear(posed.load, program.coordinates * c);
   for (const int i : program.tip_hinges) {
-    // Forces, then the moments that a rigid constraint adds.
+    // Compute the loads of forces, then of the moments that a rigid constraint adds.
     const double ratio = program.hinges[i].ratio;
     V* load = posed.load + program.hinges[i].coordinate * c;
     const Vec m = cross(posed.axis[i], tip - posed.point[i]);
@@ -46,7 +46,7 @@ inline void adjoint_loads(const Program& program, const DigitParameters& digit,
   const Mat& a = *posed.axes;
   Vec push = {V{}, V{}, V{}};
   for (const int i : program.tip_hinges) {
-    // Adjoints of the forces: by tip, axis and point, and by the rotation of the tip.
+    // Add the adjoints of the forces: by tip, axis and point, and by the rotation of the tip.
     const double ratio = program.hinges[i].ratio;
     const V* g = load_bar + program.hinges[i].coordinate * c;
     const Vec axis = posed.axis[i], r = *posed.tip - posed.point[i];
@@ -58,7 +58,7 @@ inline void adjoint_loads(const Program& program, const DigitParameters& digit,
     adjoint.axis[i] += cross(r, w);
     on.moment[link] += cross(w, cross(axis, r));
     if (c == forces) continue;
-    // Adjoints of the moments.
+    // Add the adjoints of the moments.
     Vec turn = ratio * program.hold_length * g[forces] * a.z;
     if (c == 6) {
       turn += ratio * out * g[4] * a.x + ratio * out * g[5] * a.y;

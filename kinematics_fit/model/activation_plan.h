@@ -10,9 +10,9 @@ namespace thenar {
 
 /// Distribution of a muscle's tension in a task.
 struct MuscleTension {
-  int column;       // column of the unit pull among all trials of ActivationPlan::plan
-  double tension;   // F0 a, expected [N]
-  double variance;  // (F0 sd)^2 [N^2]
+  int column = 0;       // column of the unit pull among all trials of ActivationPlan::plan
+  double tension = 0;   // F0 a, expected [N]
+  double variance = 0;  // (F0 sd)^2 [N^2]
 };
 
 /// Task with electromyography.

@@ -18,9 +18,9 @@ namespace thenar {
 /// Experiment with all names resolved to indices of one digit; built once, used at every
 /// evaluation.
 struct ExperimentPlan {
-  TipConstraint hold;  // constraint of the tip
-  int force_link;      // link whose axes the force components refer to; -1: the base
-  int measured = 3;    // number of fitted force components, 2 or 3 [1]
+  TipConstraint hold;   // constraint of the tip
+  int force_link = -1;  // link whose axes the force components refer to; -1: the base
+  int measured = 3;     // number of fitted force components, 2 or 3 [1]
   DecidedForces known = DecidedForces::kInSpace;  // tip forces that the joint torques determine
   Eigen::Matrix3d components;  // experiment components from (proximal, dorsal, radial); rows of
                                // those not fitted are zero

@@ -17,17 +17,17 @@ namespace thenar {
 
 /// Two hinges and the allowed distance between their axes.
 struct AxisPair {
-  int first, second;    // indices of the hinges
-  double lower, upper;  // [m]
+  int first = 0, second = 0;    // indices of the hinges
+  double lower = 0, upper = 0;  // [m]
 };
 
 /// Prior scale that several parameters share: see PriorScale.
 struct ScaledPriors {
   std::string name;
-  double likeliest;   // prior median of the factor [1]
-  double spread;      // prior sd of the logarithm of the factor; infinite: uniform [1]
-  double largest;     // upper bound of the factor [1]
-  double factor = 1;  // current factor, included in the sds of its parameters [1]
+  double likeliest = 0;  // prior median of the factor [1]
+  double spread = 0;     // prior sd of the logarithm of the factor; infinite: uniform [1]
+  double largest = 0;    // upper bound of the factor [1]
+  double factor = 1;     // current factor, included in the sds of its parameters [1]
 };
 
 /// Choice of free, fixed and tied parameters. A free parameter p has the value

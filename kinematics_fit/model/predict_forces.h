@@ -39,7 +39,7 @@ template <typename T>
 struct PosedSpecimen {
   VectorX<T> angles;   // joint angles with their errors [rad] (coordinates)
   TreeState<T> state;  // pose of the links
-  int key;             // index of the posture in the parameters' postures; -1: not named there
+  int key = -1;        // index of the posture in the parameters' postures; -1: not named there
   Mat3<T> cell;  // map from the tip's axes to the components of the load cell; rows of components
                  // that are not fitted are zero (3, 3)
 };
@@ -48,13 +48,13 @@ struct PosedSpecimen {
 template <typename T>
 [[nodiscard]] PosedSpecimen<T> pose_specimen(const SpecimenModel<T>& model,
                                              const ExperimentPlan& plan, std::size_t posture) {
-  // Angles of the posture with their errors.
+  // Compute the angles of the posture with their errors.
   PosedSpecimen<T> at;
   at.key = plan.posture_key[posture];
   at.angles = plan.postures[posture].cast<T>() + model.angle_error;
   if (at.key >= 0) at.angles += model.posture_error.col(at.key);
   at.state = pose_tree(model.digit.tree, at.angles);
-  // From the tip's axes to those of the link in which forces are stated, then to the cell's.
+  // Rotate from the tip's axes to those of the link in which forces are stated, then to the cell's.
   at.cell = plan.components.cast<T>() * small_rotation(model.sensor_tilt);
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {
@@ -76,7 +76,7 @@ template <typename T>
                                    MatrixX<T>(arms.transpose())) *
                        model.gain.asDiagonal() +
                    model.unexplained;
-  // Forces that the geometry does not explain in this posture.
+  // Add the forces that the geometry does not explain in this posture.
   const Eigen::Index muscles = model.gain.size();
   if (at.key >= 0) map += model.posture_unexplained.middleCols(at.key * muscles, muscles);
   return map;
@@ -97,7 +97,7 @@ template <typename T>
   const auto axes = [&](int link) -> Mat3<T> {
     return link < 0 ? model.digit.tip_axes : Mat3<T>(at.state[link].X.R * model.digit.tip_axes);
   };
-  // Force in the base's axes: of a held segment, or of the mount.
+  // Compute the force in the base's axes: of a held segment, or of the mount.
   const MatrixX<T> map = site.link >= 0
                              ? MatrixX<T>(axes(site.link) *
                                           segment_force_map(model.digit, site, at.state, at.angles,
@@ -131,7 +131,7 @@ template <typename T>
         plan.sites.size());  // maps of other load cells, computed on demand
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
       if (plan.posture_of_trial[i] != static_cast<int>(k)) continue;
-      // Load cell at another place than the tip.
+      // Handle a load cell at another place than the tip.
       if (const int other = site_of(plan, static_cast<std::size_t>(i)); other >= 0) {
         const auto cell = static_cast<std::size_t>(other);
         if (elsewhere[cell].size() == 0)

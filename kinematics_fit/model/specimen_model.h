@@ -32,7 +32,7 @@ struct SpecimenModel {
 /// Copies a model to another scalar type; all its numbers are constants.
 template <typename T>
 [[nodiscard]] SpecimenModel<T> cast_model(const TendonModel<double>& from, int postures) {
-  // Topology and constants.
+  // Copy topology and constants.
   SpecimenModel<T> to;
   to.digit.coordinates = from.coordinates;
   to.digit.tip_link = from.tip_link;
@@ -44,7 +44,7 @@ template <typename T>
   to.digit.knuckle = from.knuckle;
   to.digit.friction = from.friction.cast<T>();
   to.digit.hood = from.hood;
-  // Hinges, paths and hood.
+  // Convert hinges, paths and hood.
   for (const Hinge<double>& hinge : from.tree)
     to.digit.tree.push_back({hinge.parent, hinge.coordinate, hinge.ratio, hinge.offset,
                              hinge.direction.cast<T>(), hinge.point.cast<T>()});
@@ -56,7 +56,7 @@ template <typename T>
   for (const HoodShare<double>& share : from.hood_shares)
     to.digit.hood_shares.push_back(
         {share.muscle, share.side, T(share.into_hood), T(share.to_central), T(share.slope)});
-  // No angle errors, and tensions as stated.
+  // Set no angle errors, and tensions as stated.
   to.angle_error = VectorX<T>::Zero(from.coordinates);
   to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));

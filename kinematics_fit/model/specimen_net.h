@@ -39,7 +39,7 @@ template <typename T>
 [[nodiscard]] SpecimenNet<T> cast_net(std::shared_ptr<const BuiltNet> from) {
   SpecimenNet<T> to;
   const Net& net = from->net;
-  // Nodes, bands and surfaces.
+  // Convert nodes, bands and surfaces.
   for (const NetNode& node : net.nodes) to.place.push_back(node.p.template cast<T>());
   to.EA.resize(static_cast<Eigen::Index>(net.bands.size()));
   to.slack.resize(to.EA.size());
@@ -49,7 +49,7 @@ template <typename T>
   }
   to.radius.resize(static_cast<Eigen::Index>(net.surfaces.size()));
   for (Eigen::Index s = 0; s < to.radius.size(); ++s) to.radius[s] = T(net.surfaces[s].size[0]);
-  // Shares of the muscles that pull it.
+  // Convert the shares of the muscles that pull it.
   to.to_net.resize(static_cast<Eigen::Index>(from->muscles.size()));
   to.first.resize(to.to_net.size());
   to.slope = VectorX<T>::Zero(to.to_net.size());

@@ -34,18 +34,18 @@ template <typename T>
   const int forces = known == DecidedForces::kInPlane ? 2 : 3;
   const bool all_moments = known == DecidedForces::kInSpace && out_of_plane != T(0);
   const int moments = hold == TipConstraint::kPinned ? 0 : all_moments ? 3 : 1;
-  // Position and directions of the tip.
+  // Compute position and directions of the tip.
   const Mat3<T> axes =
       digit.tip_link < 0 ? digit.tip_axes : Mat3<T>(state[digit.tip_link].X.R * digit.tip_axes);
   const Vec3<T> tip = moved(state, digit.tip_link, digit.tip);
-  // Torques of unit forces.
+  // Compute the torques of unit forces.
   const Eigen::Matrix<T, Eigen::Dynamic, 3> all =
       position_jacobian(digit.tree, state, digit.tip_link, tip, digit.coordinates).transpose() *
       axes;
   MatrixX<T> loads(digit.coordinates, forces + moments);
   loads.leftCols(forces) = all.leftCols(forces);
   if (moments == 0) return loads;
-  // Torques of unit moments, divided by their lengths.
+  // Compute the torques of unit moments, divided by their lengths.
   const MatrixX<T> turning =
       rotation_jacobian(digit.tree, state, digit.tip_link, digit.coordinates).transpose() * axes;
   loads.col(forces) = turning.col(2) * T(kHoldLength);

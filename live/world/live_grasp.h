@@ -15,11 +15,12 @@ struct LivePair {
   std::string hand, object;
 };
 
-/// A hand and an object in their current poses, and the models for closing the hand.
+/// A hand and an object in their current poses, and the models for closing the hand. Edits of the
+/// world do not change it, and it must not outlive the world.
 struct LivePairSetup {
-  std::size_t hand, object;  // entries of WorldState::hands and ::bodies
-  const StateHand& state_hand;
-  const CollisionHand& collision;
+  std::size_t hand, object;        // entries of WorldState::hands and ::bodies
+  StateHand state_hand;            // a copy: an edit replaces the state
+  const CollisionHand& collision;  // entry of LiveWorld::contact_cache(), which keeps it
   GraspSetup setup;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/units.h"
 
 namespace thenar {
 namespace {
@@ -30,24 +29,36 @@ void project_friction(const Vector3d& normal, std::array<ExponentialMemory, 4>& 
 
 /// Reduces the friction history in proportion as a patch shrinks and softens. Otherwise a soft
 /// patch would return friction that a stiff patch has stored, and create energy.
-/// @param spring  stiffness that stores the friction, reduced to that of the patch
+/// @param spring  stiffness that stores the friction
+/// @return that stiffness, at most that of the patch
 /// Source: [Elata1996].
-void reduce_friction(double patch, std::size_t first, std::size_t end, double& spring,
-                     std::array<ExponentialMemory, 4>& friction) {
-  if (spring <= patch) return;
+double reduce_friction(double patch, std::size_t first, std::size_t end, double spring,
+                       std::array<ExponentialMemory, 4>& friction) {
+  if (spring <= patch) return spring;
   for (std::size_t k = first; k < end; ++k) {
     friction[k].x *= patch / spring;
     for (double& term : friction[k].terms) term *= patch / spring;
   }
-  spring = patch;
+  return patch;
 }
 
-/// Sets the stiffness at which a changed force stores the energy of the force before,
+/// Returns the stiffness at which a changed force stores the energy of the force before,
 /// f^2 / (2 spring), plus the work of its change c on a patch,  (f . c + c^2 / 2) / patch.
-void set_spring(const Vector3d& force, const Vector3d& change, double patch, double& spring) {
+double changed_spring(const Vector3d& force, const Vector3d& change, double patch, double spring) {
   const double before = spring > 0 ? force.squaredNorm() / spring : 0;
   const double energy = before + (2 * force.dot(change) + change.squaredNorm()) / patch;
-  spring = patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
+  return patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
+}
+
+/// Returns whether the deepest skin is at the middle of a thin object or beyond it, where depth is
+/// undefined.
+/// @param normal  outward normal of the object there, in the pad's frame, unit (3)
+bool is_behind(const DeepestSkin& deepest, const Shape& skin, const Shape& object,
+               const Pose<double>& X_OP, const Vector3d& normal) {
+  // On the near side the normals oppose each other, and depth increases along the normal.
+  const Vector3d deeper = deepest.place - kExtraDepthShare * deepest.overlap * normal;
+  return normal.dot(skin.nearest(deepest.place).normal) > 0 ||
+         object.distance(X_OP * deeper) > -(1 + 0.5 * kExtraDepthShare) * deepest.overlap;
 }
 
 }  // namespace
@@ -76,28 +87,12 @@ PadContact LawPad::try_step(const Pose<double>& X_PO, double seconds) {
   moved_ = kept_;
   moved_.X_PO = X_PO;
   PadContact out;
-  // Bound the gap by the distance to the pad's origin, which needs no search for a distant object.
-  const Pose<double> X_OP = X_PO.inverse();
-  const double apart = object_.shape->distance(X_OP.p) - reach_;
-  const MemoryStep weights = memory_step(law_->relaxation(), seconds);
-  DeepestSkin deepest;
-  deepest.overlap = -apart;
-  RelativeCurvatures gap{2 * kFlattestGap, kFlattestGap};
-  if (apart <= 0) {
-    // Search the whole skin again once another point may have become the deepest.
-    const Eigen::Matrix<double, 6, 1> motion = motion_from(kept_.X_searched, X_PO);
-    const double moved = motion.tail<3>().norm() + motion.head<3>().norm() * reach_;
-    const bool knows = 2 * moved < kept_.lead;
-    deepest = deepest_skin(*chart_, *object_.shape, X_PO,
-                           knows ? std::optional(kept_.disc) : std::nullopt);
-    moved_.disc = deepest.disc;
-    if (!knows) {
-      moved_.X_searched = X_PO;
-      moved_.lead = deepest.lead;
-    }
-    if (deepest.overlap > 0) gap = skin_gap(*skin_, *object_.shape, X_PO, deepest.place);
-  }
   // Compute the normal force by the law and its history. Without force, reset friction.
+  const Pose<double> X_OP = X_PO.inverse();
+  const MemoryStep weights = memory_step(law_->relaxation(), seconds);
+  const DeepestSkin deepest = find_deepest(X_OP);
+  RelativeCurvatures gap{2 * kFlattestGap, kFlattestGap};
+  if (deepest.overlap > 0) gap = skin_gap(*skin_, *object_.shape, X_PO, deepest.place);
   const LawContact contact =
       relaxed_contact(*law_, gap, deepest.overlap, object_.friction, weights, moved_.normal);
   if (contact.force <= 0) {
@@ -110,10 +105,7 @@ PadContact LawPad::try_step(const Pose<double>& X_PO, double seconds) {
   }
   moved_.touched = true;
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
-  // Reject points on the far side or at the middle of a thin object, where depth is undefined.
-  const Vector3d deeper = deepest.place - kExtraDepthShare * deepest.overlap * out.normal;
-  if (out.normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
-      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kExtraDepthShare) * deepest.overlap) {
+  if (is_behind(deepest, *skin_, *object_.shape, X_OP, out.normal)) {
     moved_ = kept_;
     return behind_object();
   }
@@ -121,38 +113,62 @@ PadContact LawPad::try_step(const Pose<double>& X_PO, double seconds) {
   out.centre = deepest.place + deepest.overlap * out.normal;
   out.force = contact.force;
   out.area = contact.area;
-  bool sticks = true;
-  const Vector4d friction = update_friction(contact, out.centre, out.normal, weights, sticks);
-  // Sum the energy: a power n of depth stores  F depth / (n + 1)  with  n = slope depth / F.
-  const double elastic = moved_.normal.x, slope = contact.stiffness / weights.now;
-  moved_.energy =
-      elastic > 0 ? elastic * deepest.overlap / (1 + slope * deepest.overlap / elastic) : 0;
-  for (std::size_t k = 0; k < 4; ++k)
-    if (const double spring = moved_.spring[k < 3 ? 0 : 1]; spring > 0)
-      moved_.energy += 0.5 * moved_.friction[k].x * moved_.friction[k].x / spring;
+  const Friction friction = update_friction(contact, out.centre, out.normal, weights);
+  moved_.energy = stored_energy(deepest.overlap, contact.stiffness / weights.now);
   // Sum the wrench of normal force, friction and torsion.
-  out.stick = sticks ? 1 : 0;
-  out.push = wrench_of_force(out.centre, contact.force * out.normal + friction.head<3>());
-  out.push.moment += friction[3] * out.normal;
+  out.stick = friction.sticks ? 1 : 0;
+  out.push = wrench_of_force(out.centre, contact.force * out.normal + friction.force.head<3>());
+  out.push.moment += friction.force[3] * out.normal;
   return out;
 }
 
-Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
-                                 const Vector3d& normal, const MemoryStep& weights, bool& sticks) {
+DeepestSkin LawPad::find_deepest(const Pose<double>& X_OP) {
+  // Bound the overlap by the distance to the pad's origin, without a search for a distant object.
+  DeepestSkin deepest;
+  deepest.overlap = reach_ - object_.shape->distance(X_OP.p);
+  if (!(deepest.overlap >= 0)) return deepest;
+  // Search the whole skin again once another point may have become the deepest.
+  const Eigen::Matrix<double, 6, 1> motion = motion_from(kept_.X_searched, moved_.X_PO);
+  const double moved = motion.tail<3>().norm() + motion.head<3>().norm() * reach_;
+  const bool stays_near = 2 * moved < kept_.lead;
+  deepest = deepest_skin(*chart_, *object_.shape, moved_.X_PO,
+                         stays_near ? std::optional(kept_.disc) : std::nullopt);
+  moved_.disc = deepest.disc;
+  if (!stays_near) {
+    moved_.X_searched = moved_.X_PO;
+    moved_.lead = deepest.lead;
+  }
+  return deepest;
+}
+
+double LawPad::stored_energy(double depth, double slope) const {
+  // A power n of depth stores  F depth / (n + 1)  with  n = slope depth / F.
+  const double force = moved_.normal.x;
+  double energy = force > 0 ? force * depth / (1 + slope * depth / force) : 0;
+  // Add the energy of the springs of friction.
+  for (std::size_t k = 0; k < 4; ++k)
+    if (const double spring = moved_.spring[k < 3 ? 0 : 1]; spring > 0)
+      energy += 0.5 * moved_.friction[k].x * moved_.friction[k].x / spring;
+  return energy;
+}
+
+LawPad::Friction LawPad::update_friction(const LawContact& contact, const Vector3d& at,
+                                         const Vector3d& normal, const MemoryStep& weights) {
   // Compute the motion of the object at the patch since the last step.
   const Pose<double> D = moved_.X_PO * kept_.X_PO.inverse();
   const Eigen::AngleAxisd turn(D.R);
-  const Vector3d way = at - D.inverse() * at;
+  const Vector3d displacement = at - D.inverse() * at;
   // Project the friction history on the patch, and reduce it as the stiffness k of sliding or
   // k a b of twisting decreases.
   const double stiffness = contact.shear, twisted = stiffness * contact.patch.a * contact.patch.b;
+  auto& [sliding, twisting] = moved_.spring;
   project_friction(normal, moved_.friction);
-  reduce_friction(stiffness, 0, 3, moved_.spring[0], moved_.friction);
-  reduce_friction(twisted, 3, 4, moved_.spring[1], moved_.friction);
+  sliding = reduce_friction(stiffness, 0, 3, sliding, moved_.friction);
+  twisting = reduce_friction(twisted, 3, 4, twisting, moved_.friction);
   Vector4d elastic, past, stretch = Vector4d::Zero();
   // Stretch the friction springs, except on first touch.
   if (kept_.touched)
-    stretch << stiffness * (way - normal * normal.dot(way)),
+    stretch << stiffness * (displacement - normal * normal.dot(displacement)),
         twisted * turn.angle() * turn.axis().dot(normal);
   for (int k = 0; k < 4; ++k) {
     const ExponentialMemory& memory = moved_.friction[k];
@@ -160,10 +176,9 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
     elastic[k] = memory.x + stretch[k];
   }
   // Update the stiffness that stores the friction's energy.
-  const std::array<ExponentialMemory, 4>& before = moved_.friction;
-  set_spring({before[0].x, before[1].x, before[2].x}, stretch.head<3>(), stiffness,
-             moved_.spring[0]);
-  set_spring({before[3].x, 0, 0}, {stretch[3], 0, 0}, twisted, moved_.spring[1]);
+  const auto& [fx, fy, fz, torque] = moved_.friction;
+  sliding = changed_spring({fx.x, fy.x, fz.x}, stretch.head<3>(), stiffness, sliding);
+  twisting = changed_spring({torque.x, 0, 0}, {stretch[3], 0, 0}, twisted, twisting);
   // Compute the trial force of a sticking patch.
   Vector4d trial = weights.now * elastic + past;
   const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
@@ -172,14 +187,14 @@ Vector4d LawPad::update_friction(const LawContact& contact, const Vector3d& at,
   // If it slips, scale it back to the ellipsoid  |f|^2 + (torque / lever)^2 <= bound^2.
   const double lever = object_.friction > 0 ? torsion / object_.friction : 0;
   const double size = std::hypot(trial.head<3>().norm(), lever > 0 ? trial[3] / lever : 0);
-  sticks = size <= bound;
+  const bool sticks = size <= bound;
   if (!sticks) {
     trial *= size > 0 ? bound / size : 0;
     elastic = (trial - past) / weights.now;
   }
   // Advance the history with the elastic friction of the result.
   for (std::size_t k = 0; k < 4; ++k) (void)remember(weights, elastic[k], moved_.friction[k]);
-  return trial;
+  return {trial, sticks};
 }
 
 void LawPad::accept_step() { kept_ = moved_; }

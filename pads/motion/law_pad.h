@@ -52,13 +52,20 @@ class LawPad final : public MovingPad {
     std::array<double, 2> spring{0, 0};  // stiffness that stores friction [N/m], torque [N m/rad]
     double energy = 0;                   // LawPad::energy() [J]
   };
+  struct Friction {
+    Eigen::Vector4d force;  // friction [N] (3), torque about the normal [N m]
+    bool sticks;
+  };
+  /// Finds the deepest skin at the pose of `moved_`, with only an upper bound of the overlap of a
+  /// distant object. Stores the point on the disc, and the pose of a search of the whole skin.
+  [[nodiscard]] DeepestSkin find_deepest(const Pose<double>& X_OP);
   /// Computes friction and torsion of a step and advances their history.
-  /// @param sticks  output: whether the patch sticks
-  /// @return friction [N] (3), torque about the normal [N m]
-  [[nodiscard]] Eigen::Vector4d update_friction(const LawContact& contact,
-                                                const Eigen::Vector3d& at,
-                                                const Eigen::Vector3d& normal,
-                                                const MemoryStep& weights, bool& sticks);
+  /// @param at  centre of the patch [m] (3)
+  [[nodiscard]] Friction update_friction(const LawContact& contact, const Eigen::Vector3d& at,
+                                         const Eigen::Vector3d& normal, const MemoryStep& weights);
+  /// Returns LawPad::energy() of `moved_` [J].
+  /// @param slope  derivative of the elastic normal force by depth [N/m]
+  [[nodiscard]] double stored_energy(double depth, double slope) const;
 
   std::string name_;
   PadShape shape_;

@@ -17,10 +17,10 @@ namespace thenar {
 struct PosteriorAxes {
   std::string whose;  // specimen "H01"; empty: the population, or the only specimen
   NeighbouringAxes axes;
-  Estimate angle;              // angle between the axes, see AxisOffset [deg]
-  Estimate distance, beyond;   // distance, and offset beyond, see AxisOffset [mm]
-  double second_distal;        // probability that the second axis lies distal of the first [1]
-  double second_distal_prior;  // prior probability of the same [1]
+  Estimate angle;                  // angle between the axes, see AxisOffset [deg]
+  Estimate distance, beyond;       // distance, and offset beyond, see AxisOffset [mm]
+  double second_distal = 0;        // probability that the second axis lies distal of the first [1]
+  double second_distal_prior = 0;  // prior probability of the same [1]
 };
 
 /// Computes the offsets of all pairs with an axis that the run moves: of the population if there

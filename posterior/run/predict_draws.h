@@ -17,7 +17,7 @@ struct PredictedDraws {
   Eigen::MatrixXd
       replicated;      // forces that a repeated measurement would give [N] (3 trials, draws)
   Eigen::MatrixXd sd;  // noise sd; infinite if not fitted [N] (3 trials, draws)
-  bool calibrated_on_specimen;  // the prior's subject was calibrated on this specimen
+  bool calibrated_on_specimen = false;  // the prior's subject was calibrated on this specimen
 };
 
 /// Predicts any experiment on the fitted digit. For a specimen that was not fitted, every draw adds

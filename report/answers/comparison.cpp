@@ -104,7 +104,7 @@ Table cell_table(const Comparison& comparison) {
 Table outcome_table(const Comparison& comparison) {
   Table table{{"hand", "object", "approaches"}};
   for (const HandOnObject& cell : comparison.cells)
-    if (cell.closures == 0) table.add({cell.hand, cell.object, outcome_words(cell)});
+    if (cell.closures == 0) table.add({cell.hand, cell.object, describe_outcome(cell)});
   return table;
 }
 
@@ -202,7 +202,7 @@ std::string unknown_words(const HandOnObject& cell, const std::vector<std::strin
                      why.empty() ? "" : ": ", why);
 }
 
-std::string outcome_words(const HandOnObject& cell) {
+std::string describe_outcome(const HandOnObject& cell) {
   std::vector<std::pair<int, std::string>> ways;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {
     int count = nth(cell.outcomes, outcome);

@@ -36,7 +36,7 @@ namespace thenar {
 
 /// Returns the outcomes of the approaches, the most frequent first: "12 missed, 5 touched without
 /// force closure".
-[[nodiscard]] std::string outcome_words(const HandOnObject& cell);
+[[nodiscard]] std::string describe_outcome(const HandOnObject& cell);
 
 /// Returns a number rounded to the first significant digit of its error.
 [[nodiscard]] double rounded_to(double value, double error);

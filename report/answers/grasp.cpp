@@ -30,8 +30,8 @@ const LinkSurface& surface_of(const GraspResult& result, const HandContact& cont
 
 /// One number where both bounds show as the same.
 std::string bounds_text(const Epsilon& e) {
-  const std::string lower = fmt::format("{:.6g}", without_rounding(e.lower));
-  const std::string upper = fmt::format("{:.6g}", without_rounding(e.upper));
+  const std::string lower = fmt::format("{:.6g}", epsilon_or_zero(e.lower));
+  const std::string upper = fmt::format("{:.6g}", epsilon_or_zero(e.upper));
   return lower == upper ? lower : fmt::format("between {} and {}", lower, upper);
 }
 
@@ -231,7 +231,7 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
 }
 
 std::string explanation(const GraspResult& result) {
-  std::string words = outcome_words(result.grasp);
+  std::string words = describe_outcome(result.grasp);
   if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.approach_distance > 0)
     return words;
   return words + (result.setting.hand.parts.size() > 1

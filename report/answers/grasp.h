@@ -23,7 +23,7 @@ struct JointRow {
 /// Returns a row for every coordinate; none if the hand did not close.
 [[nodiscard]] std::vector<JointRow> joint_rows(const GraspResult& result);
 
-/// Returns outcome_words(), and advice if a hand closed on nothing because it did not approach.
+/// Returns describe_outcome(), and advice if a hand closed on nothing because it did not approach.
 [[nodiscard]] std::string explanation(const GraspResult& result);
 
 /// Returns the contact model: "hard point" or "soft finger".

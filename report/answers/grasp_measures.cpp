@@ -125,7 +125,7 @@ std::string share_words(const Robustness& found) {
   std::string words =
       fmt::format("force closure in {:.0f} % ({:.0f} to {:.0f} %), median epsilon {}",
                   100 * found.closure, 100 * found.closure_lower, 100 * found.closure_upper,
-                  std::isfinite(median) ? fmt::format("{:.3g}", without_rounding(median))
+                  std::isfinite(median) ? fmt::format("{:.3g}", epsilon_or_zero(median))
                                         : "none: the hand misses");
   if (found.misses > 0)
     words += fmt::format(", {} of {} draws miss", found.misses, found.epsilon.size());

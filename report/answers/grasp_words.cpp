@@ -94,7 +94,7 @@ std::string value_words(double value, bool slides) {
                 : fmt::format("{:.1f} deg", rounded / 10 + 0.0);
 }
 
-double without_rounding(double epsilon) {
+double epsilon_or_zero(double epsilon) {
   return std::abs(epsilon) < kEpsilonRounding ? 0 : epsilon;
 }
 

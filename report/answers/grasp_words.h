@@ -32,6 +32,6 @@ struct Touching {
 [[nodiscard]] std::string value_words(double value, bool slides);
 
 /// Returns an epsilon for display: 0 if within 1e-9, the accuracy of epsilon(), and never -0.
-[[nodiscard]] double without_rounding(double epsilon);
+[[nodiscard]] double epsilon_or_zero(double epsilon);
 
 }  // namespace thenar

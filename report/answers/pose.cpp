@@ -220,7 +220,7 @@ SweepAxes axes_of(const SubjectPoses& poses) {
 
 SweepAxes axes_of(const RobotPoses& poses) {
   SweepAxes axes;
-  axes.row = poses.row;
+  axes.row_length = poses.row;
   axes.values.resize(static_cast<Eigen::Index>(poses.points.size()),
                      static_cast<Eigen::Index>(poses.varied.size()));
   for (std::size_t k = 0; k < poses.varied.size(); ++k) {

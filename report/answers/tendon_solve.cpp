@@ -404,13 +404,13 @@ Table table_of(const TendonSweepResult& sweep) { return rows_of(sweep.loaded, sw
 
 std::string refusal_of(const TendonSolveResult& solution) {
   const TendonTorque& pull = solution.point.pull;
-  if (trusted(pull.status)) return "";
+  if (is_trusted(pull.status)) return "";
   return fmt::format("the tendons are not to be trusted here ({}): {}", name_of(pull.status),
                      pull.warning);
 }
 
 std::string refusal_of(const TendonSweepResult& sweep) {
-  const auto refused = [](const DigitPoint& p) { return !trusted(p.pull.status); };
+  const auto refused = [](const DigitPoint& p) { return !is_trusted(p.pull.status); };
   const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), refused);
   if (first == sweep.points.end()) return "";
   return fmt::format("the tendons are not to be trusted at {} of {} postures, first at {} ({}): {}",

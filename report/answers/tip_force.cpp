@@ -100,7 +100,7 @@ std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
   if (point.minimum_norm)
     note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
-        "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
+        "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (hold length)",
         point.q.size(), answer.request.hold_length / kMm);
   const auto add = [&](const std::string& more) {
     note += (note.empty() || more.empty() ? "" : "; ") + more;

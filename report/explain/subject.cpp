@@ -173,7 +173,7 @@ Explanation explain_maps(const Subject& subject, const std::string& digit) {
       maps.table.add({map.name, listed(map.rows), listed(map.muscles)});
       muscles = map.muscles;
     }
-  maps.lines = {"a map is for one posture; the first is used unless --map names another",
+  maps.lines = {"a map is for one posture; the first is used unless another is named",
                 "there are no bones: joints, postures and fits cannot be asked about"};
   return {maps, explain_muscles(subject, muscles)};
 }

@@ -175,7 +175,7 @@ Json all_cells(const Comparison& comparison) {
 Json outcome_rows(const Comparison& comparison) {
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
-    if (cell.closures == 0) rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+    if (cell.closures == 0) rows.push_back({cell.hand, cell.object, describe_outcome(cell)});
   return rows;
 }
 

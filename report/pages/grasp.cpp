@@ -28,7 +28,7 @@ Json outcome_banner(const GraspResult& result) {
   std::vector<std::string> grave;
   std::copy_if(result.outcome.warnings.begin(), result.outcome.warnings.end(),
                std::back_inserter(grave), is_serious);
-  return banner_block(outcome_words(grasp), grave, ok && grave.empty());
+  return banner_block(describe_outcome(grasp), grave, ok && grave.empty());
 }
 
 Json picture_section(const GraspResult& result, MeshTable& meshes) {

@@ -143,7 +143,7 @@ void add_quantities(const PosteriorRun& run, const PictureOptions& options,
   for (std::string& warning : noise_warnings(read, estimates))
     picture.warnings.push_back(std::move(warning));
   const TendonDigit& digit = run.posterior->problem().digit();
-  for (const std::size_t i : chosen(read, estimates, options.most)) {
+  for (const std::size_t i : chosen(read, estimates, options.max_quantities)) {
     picture.quantities.push_back({read[i].name,
                                   read[i].unit,
                                   read[i].draws,

@@ -37,9 +37,9 @@ struct PosteriorPicture {
 
 /// Options of the picture of a sampled posterior.
 struct PictureOptions {
-  std::string title;      // title of the sections
-  std::size_t most = 64;  // largest number of quantities: those with the largest information gain,
-                          // and the eight with the largest R-hat
+  std::string title;                // title of the sections
+  std::size_t max_quantities = 64;  // those with the largest information gain, and the eight with
+                                    // the largest R-hat
 };
 
 /// Returns the content of a page about a sampled posterior, for posterior_sections().

@@ -76,10 +76,10 @@ bool is_seen(const std::vector<Blocker>& blockers, const Vector3d& p_W, const Ve
 std::vector<Vector3d> directions(const Eyes& eyes) {
   const Vector3d up = eyes.up.normalized();
   const Tangents level = tangents(up);
-  std::vector<Vector3d> all{eyes.usual.normalized()};
+  std::vector<Vector3d> all{eyes.usual_direction.normalized()};
   for (const double degrees : kHeights) {
     const double height = degrees * kDegree;
-    if (height < eyes.lowest) continue;
+    if (height < eyes.min_elevation) continue;
     for (int i = 0; i < kRoundDirections; ++i) {
       const double round = 2 * kPi * (i + 0.5) / kRoundDirections;  // not along the axes
       const Vector3d out = std::cos(round) * level.e1 + std::sin(round) * level.e2;
@@ -129,7 +129,7 @@ double corners_seen(const std::vector<Blocker>& blockers, const Eigen::Matrix3Xd
 
 Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
                           const std::vector<HandContact>& contacts, const Eyes& eyes) {
-  Vector3d usual = eyes.usual.normalized();
+  Vector3d usual = eyes.usual_direction.normalized();
   if (contacts.empty()) return usual;
   const std::vector<Blocker> blockers = blockers_of(hand, setup);
   const std::vector<Contact> in_world = seen_in_world(contacts, setup.object.X_WB);

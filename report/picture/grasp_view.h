@@ -10,10 +10,9 @@ namespace thenar {
 
 /// Preferred viewing direction, and its limits.
 struct Eyes {
-  Eigen::Vector3d
-      usual;  // default direction from the object towards the eye, kept if it is as good (3)
-  Eigen::Vector3d up;  // upward direction of the picture, world frame (3)
-  double lowest = 0;   // smallest elevation of directions other than `usual` [rad]
+  Eigen::Vector3d usual_direction;  // from the object towards the eye, kept if it is as good (3)
+  Eigen::Vector3d up;               // upward direction of the picture, world frame (3)
+  double min_elevation = 0;         // of directions other than `usual_direction` [rad]
 };
 
 /// Returns the direction that shows most of the contacts, their normals and the object in an

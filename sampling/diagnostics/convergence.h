@@ -52,10 +52,10 @@ namespace thenar {
 /// Posterior mean, spread and convergence of one quantity, in its own unit.
 struct Estimate {
   std::string name;
-  double mean, sd, mcse_mean, mcse_sd;
-  double q05, median, q95;  // quantiles
-  double r_hat;  // larger one of the rank-normalised R-hats over chains and over groups [1]
-  double bulk_ess, tail_ess;  // [1]
+  double mean = 0, sd = 0, mcse_mean = 0, mcse_sd = 0;
+  double q05 = 0, median = 0, q95 = 0;  // quantiles
+  double r_hat = 0;  // larger one of the rank-normalised R-hats over chains and over groups [1]
+  double bulk_ess = 0, tail_ess = 0;  // [1]
 };
 
 /// Estimates one quantity.

@@ -34,8 +34,9 @@ OrderedJson trial_json(const LiveFit& fit, int index) {
 
 /// Returns a number with the interval that holds 90 % of the draws; for a fit, of length zero.
 OrderedJson interval_json(const LiveAxisPair& pair, double AxisOffset::*number) {
-  return {
-      {"value", pair.estimate.*number}, {"lower", pair.low.*number}, {"upper", pair.high.*number}};
+  return {{"value", pair.estimate.*number},
+          {"lower", pair.lower.*number},
+          {"upper", pair.upper.*number}};
 }
 
 OrderedJson axes_json(const LiveFit& fit) {

@@ -16,19 +16,19 @@ namespace {
 
 OrderedJson contacts(Session& session, const Json& params, const Progress& /*progress*/) {
   const LiveContacts found = current_contacts(live_world(session), pair_param(params));
-  OrderedJson list = OrderedJson::array();
+  std::vector<Fields> list;
   for (std::size_t i = 0; i < found.contacts.size(); ++i) {
     const HandContact& each = found.contacts[i];
     const Contact seen = transform_contact(found.X_WO, each.contact);
     list.push_back({{"link", found.links[i]},
-                    {"point", to_json(seen.p)},
-                    {"normal", to_json(seen.n)},
+                    {"point", units::kMetreBare, seen.p},
+                    {"normal", units::kOne, seen.n},
                     {"friction", seen.friction},
-                    {"torsion", seen.torsion},
+                    {"torsion", units::kMetreBare, seen.torsion},
                     {"patch", seen.patch},
-                    {"depth", each.depth}});
+                    {"depth", units::kMetreBare, each.depth}});
   }
-  return {{"contacts", list}, {"warnings", found.warnings}};
+  return reply_json({{"contacts", list}, {"warnings", found.warnings}});
 }
 
 LiveQualityRequest quality_param(const Json& params) {
@@ -90,8 +90,8 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
          {"volume", params["volume"].get<bool>() ? volume_json(result, progress) : OrderedJson()}});
   }
   out["rank"] = result.grasp.quality.rank;
-  out["centre_of_mass"] = to_json(object.X_WB * object.com);
-  out["torque_scale"] = object.torque_scale;
+  out.update(reply_json({{"centre_of_mass", units::kMetreBare, object.X_WB * object.com},
+                         {"torque_scale", units::kMetreBare, object.torque_scale}}));
   out["warnings"] = result.outcome.warnings;
   return out;
 }
@@ -122,23 +122,22 @@ OrderedJson measure(Session& session, const Json& params, const Progress& progre
 OrderedJson pads(Session& session, const Json& params, const Progress& /*progress*/) {
   const LivePads found =
       press_pads(live_world(session), pair_param(params), params["force"].get<double>());
-  OrderedJson list = OrderedJson::array();
+  std::vector<Fields> list;
   // List the springs of each pad: position, pressure, and whether it sticks.
-  for (const LoadedPad& pad : found.pads) {
-    OrderedJson points = OrderedJson::array();
-    for (const PadPoint& point : pad.points)
-      points.push_back(
-          {{"point", to_json(point.p)}, {"pressure", point.pressure}, {"sticks", point.sticks}});
+  for (const LoadedPad& pad : found.pads)
     list.push_back({{"link", pad.link},
                     {"material", pad.material},
-                    {"force", pad.force},
-                    {"tangential", pad.tangential},
-                    {"depth", pad.depth},
-                    {"area", pad.area},
+                    {"force", units::kNewtonBare, pad.force},
+                    {"tangential", units::kNewtonBare, pad.tangential},
+                    {"depth", units::kMetreBare, pad.depth},
+                    {"area", units::kSquareMetreBare, pad.area},
                     {"stick", pad.stick},
-                    {"points", points}});
-  }
-  return {{"pads", list}, {"reasons", found.reasons}};
+                    {"points", fields_of_each(pad.points, [](const PadPoint& point) {
+                       return Fields{{"point", units::kMetreBare, point.p},
+                                     {"pressure", units::kPascalBare, point.pressure},
+                                     {"sticks", point.sticks}};
+                     })}});
+  return reply_json({{"pads", list}, {"reasons", found.reasons}});
 }
 
 std::vector<SchemaMember> quality_members() {
@@ -161,7 +160,7 @@ void add_quality_rows(MethodTable& table) {
              "closed: whether anything touches, else reason; contacts: how many; epsilon: lower, "
              "upper [N per N]; force_closure; verdict; missing_direction, worst_wrench (6, torques "
              "over torque_scale, the object's frame), each in words; volume or null; rank; "
-             "centre_of_mass, of the object in the world [m]; torque_scale [m]; warnings",
+             "centre_of_mass_m, of the object in the world; torque_scale_m; warnings",
              "{}", quality});
   table.add({"grasp.measure", "All measures, as `thenar grasp --json` prints them.",
              object_schema(quality_members()),
@@ -175,8 +174,8 @@ void add_quality_rows(MethodTable& table) {
 void add_grasp_methods(MethodTable& table) {
   table.add({"grasp.contacts", "Where a hand touches an object.",
              object_schema({hand_member(), object_member()}),
-             "contacts: link, point [m] and normal (into the object) of the world, friction, "
-             "torsion [m], patch, depth [m]; warnings: what is deep in something",
+             "contacts: link, point_m and normal (into the object) of the world, friction, "
+             "torsion_m, patch, depth_m; warnings: what is deep in something",
              "{}", contacts});
   add_quality_rows(table);
   table.add({"grasp.wrench_set", "Wrenches that the grasp makes, in three of six axes, as a mesh.",
@@ -201,8 +200,8 @@ void add_grasp_methods(MethodTable& table) {
        object_schema({hand_member(),
                       object_member(),
                       {"force", number_schema("N", 1e-3, 1000), "Normal, of each pad.", false, 1}}),
-       "pads: link, material, force [N], tangential [N], depth [m], area [m2], stick [1], "
-       "points: point [m], pressure [Pa], sticks; reasons: why a contact has no pad",
+       "pads: link, material, force_N, tangential_N, depth_m, area_m2, stick [1], points: point_m, "
+       "pressure_Pa, sticks; reasons: why a contact has no pad",
        "{}", pads});
 }
 

@@ -27,7 +27,7 @@ OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const Hand
   closed.contacts = standing.grasp.contacts;
   closed.quality = standing.grasp.quality;
   return {{"outcome", name_of(closing.outcome)},
-          {"explanation", outcome_words(closed)},
+          {"explanation", describe_outcome(closed)},
           {"stopped", stopped}};
 }
 

@@ -4,6 +4,7 @@
 #include "api/named/files.h"
 #include "base/field_names.h"
 #include "base/lists.h"
+#include "base/numbers.h"
 #include "live/live_motion.h"
 #include "live/recorded_digit_motion.h"
 #include "live/recorded_motion.h"
@@ -73,77 +74,90 @@ bool has_inputs(const Json& params) {
 
 // Replies.
 
-OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
+Fields contact_fields(const ContactSample& contact, const std::vector<std::string>& names) {
   // All vectors are in the world frame; the normal points out of b, and the force acts on a.
   return {{"a", names[contact.a]},
           {"b", names[contact.b]},
-          {"point", to_json(contact.point)},
-          {"normal", to_json(contact.normal)},
-          {"force", to_json(contact.force)},
-          {"torsion", contact.torsion},
-          {"gap", contact.gap},
+          {"point", units::kMetreBare, contact.point},
+          {"normal", units::kOne, contact.normal},
+          {"force", units::kNewtonBare, contact.force},
+          {"torsion", units::kNewtonMetreBare, contact.torsion},
+          {"gap", units::kMetreBare, contact.gap},
           {"mode", name_in(kContactModeNames, contact.mode)}};
 }
 
-OrderedJson energy_json(const MotionEnergy& energy) {
+Fields energy_fields(const MotionEnergy& energy) {
   // Parts that a recording does not hold are null.
-  OrderedJson out{{"kinetic", number_or_null(energy.kinetic)},
-                  {"weight", number_or_null(energy.weight)},
-                  {"springs", number_or_null(energy.springs)},
-                  {"total", energy.total}};
+  Fields out{{"kinetic", units::kJouleBare, energy.kinetic},
+             {"weight", units::kJouleBare, energy.weight},
+             {"springs", units::kJouleBare, energy.springs},
+             {"total", units::kJouleBare, energy.total}};
   if (!energy.balance) return out;
-  out["work"] = energy.balance->work;
-  out["dissipated"] = energy.balance->dissipated();
-  out["error"] = energy.balance->error;
+  out.add("work", units::kJouleBare, energy.balance->work);
+  out.add("dissipated", units::kJouleBare, energy.balance->dissipated());
+  out.add("error", units::kJouleBare, energy.balance->error);
   return out;
 }
 
-/// Adds the selected parts of the state.
-void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson& out) {
+Fields body_fields(const BodyState& body) {
+  return {{"position", units::kMetreBare, body.X_WB.p},
+          {"rotation", units::kOne, quaternion_of(body.X_WB.R)},
+          {"velocity", units::kMetrePerSecondBare, body.velocity.linear},
+          {"spin", units::kRadianPerSecondBare, body.velocity.angular}};
+}
+
+/// Returns the selected parts of the state.
+Fields state_fields(const LiveTimeline& motion, const MotionParts& parts) {
   const TimelineState state = motion.state(parts);
-  out["t"] = state.t;
+  Fields out{{"t", units::kSecondBare, state.t}};
   // Add joints, bodies and contacts.
   if (parts.joints) {
-    OrderedJson& joints = out["joints"] = OrderedJson::object();
+    OrderedJson joints = OrderedJson::object();
     for (const CoordinateState& each : state.joints)
       joints[each.name] = {each.value, each.rate,
                            each.effort ? OrderedJson(*each.effort) : OrderedJson()};
+    out.add("joints", std::move(joints));
   }
   if (parts.bodies) {
-    OrderedJson& bodies = out["bodies"] = OrderedJson::object();
-    for (const BodyState& each : state.bodies)
-      bodies[each.name] = {{"position", to_json(each.X_WB.p)},
-                           {"rotation", to_json(quaternion_of(each.X_WB.R))},
-                           {"velocity", to_json(each.velocity.linear)},
-                           {"spin", to_json(each.velocity.angular)}};
+    Fields bodies;
+    for (const BodyState& each : state.bodies) bodies.add(each.name, body_fields(each));
+    out.add("bodies", std::move(bodies));
   }
-  if (parts.contacts) {
-    OrderedJson& contacts = out["contacts"] = OrderedJson::array();
-    for (const ContactSample& each : state.contacts)
-      contacts.push_back(contact_json(each, state.body_names));
-  }
+  if (parts.contacts)
+    out.add("contacts", fields_of_each(state.contacts, [&](const ContactSample& each) {
+              return contact_fields(each, state.body_names);
+            }));
   // Add energy and the readings of muscles.
-  if (state.energy) out["energy"] = energy_json(*state.energy);
+  if (state.energy) out.add("energy", energy_fields(*state.energy));
   if (parts.muscles) {
-    OrderedJson& muscles = out["muscles"] = OrderedJson::object();
+    OrderedJson muscles = OrderedJson::object();
     for (const ElementValue& each : state.muscles) muscles[each.name] = each.value;
+    out.add("muscles", std::move(muscles));
   }
+  return out;
 }
 
-OrderedJson quality_json(const MotionQuality& quality) {
-  OrderedJson out{{"steps", quality.steps},
-                  {"unsolved", quality.unsolved},
-                  {"worst_residual", number_or_null(quality.worst_residual)},
-                  {"deepest", quality.deepest},
-                  {"leaps", quality.leaps}};
-  // Add the energy balance, null if it is not recorded.
+/// Returns the quality of steps; its energy balance is null if it is not recorded.
+Fields quality_fields(const MotionQuality& quality) {
   const std::optional<FlowBalance>& balance = quality.balance;
-  out["energy_error"] = balance ? number_or_null(balance->error) : Json();
-  out["energy_turned_over"] = balance ? number_or_null(balance->turned_over) : Json();
-  out["energy_balances"] = balance ? Json(balance->holds()) : Json();
-  out.update(json_of(Fields{{"limits_passed", limit_fields(quality.limits)}}, UnitSystem::kSi));
-  out["restitution_ignored"] = quality.restitution;
-  return out;
+  return {{"steps", quality.steps},
+          {"unsolved", quality.unsolved},
+          {"worst_residual", quality.worst_residual},
+          {"deepest", units::kMetreBare, quality.deepest},
+          {"leaps", quality.leaps},
+          {"energy_error", units::kJouleBare, balance ? balance->error : kNaN},
+          {"energy_turned_over", units::kJouleBare, balance ? balance->turned_over : kNaN},
+          {"energy_balances", balance ? OrderedJson(balance->holds()) : OrderedJson()},
+          {"limits_passed", limit_fields(quality.limits)},
+          {"restitution_ignored", quality.restitution}};
+}
+
+/// Returns the reply to a request for the state: the quality of steps, and the selected parts.
+OrderedJson state_reply(const LiveTimeline& motion, const MotionQuality& quality,
+                        const Json& params) {
+  Fields out = quality_fields(quality);
+  out.append(state_fields(motion, wanted_parts(params)));
+  return reply_json(out);
 }
 
 LiveTimeline& timeline_of(const Session& session) {
@@ -161,15 +175,16 @@ LiveMotion& motion_of(const Session& session) {
 /// Returns the description of an opened motion.
 OrderedJson opened_json(const LiveTimeline& motion) {
   const LiveTime time = motion.live_time();
-  return {{"name", motion.name()},
-          {"step", time.step},
-          {"duration", time.duration ? OrderedJson(*time.duration) : OrderedJson()},
-          {"warnings", motion.warnings()}};
+  return reply_json({{"name", motion.name()},
+                     {"step", units::kSecondBare, time.step},
+                     {"duration", units::kSecondBare, time.duration},
+                     {"warnings", motion.warnings()}});
 }
 
 OrderedJson play_json(const Session& session) {
   const LiveTime time = timeline_of(session).live_time();
-  return {{"t", time.t}, {"playing", time.playing}, {"speed", time.speed}};
+  return reply_json(
+      {{"t", units::kSecondBare, time.t}, {"playing", time.playing}, {"speed", time.speed}});
 }
 
 // Handlers.
@@ -219,22 +234,19 @@ OrderedJson open_record(Session& session, const Json& params, const Progress& /*
 OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {
   if (has_inputs(params)) motion_of(session).set(inputs_of(params));
   LiveTimeline& motion = timeline_of(session);
-  OrderedJson out = quality_json(motion.step(params.at("steps").get<long>(), progress));
-  add_state(motion, wanted_parts(params), out);
-  return out;
+  const MotionQuality quality = motion.step(params.at("steps").get<long>(), progress);
+  return state_reply(motion, quality, params);
 }
 
 OrderedJson motion_state(Session& session, const Json& params, const Progress& /*progress*/) {
   const LiveTimeline& motion = timeline_of(session);
-  OrderedJson out = quality_json(motion.quality());
-  add_state(motion, wanted_parts(params), out);
-  return out;
+  return state_reply(motion, motion.quality(), params);
 }
 
 OrderedJson set_motion(Session& session, const Json& params, const Progress& /*progress*/) {
   LiveMotion& motion = motion_of(session);
   motion.set(inputs_of(params));
-  return {{"t", motion.live_time().t}};
+  return reply_json({{"t", units::kSecondBare, motion.live_time().t}});
 }
 
 OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
@@ -242,7 +254,7 @@ OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progre
   for (const MotionInput& input : motion_of(session).inputs())
     list.push_back({{"name", input.name},
                     {"field", field_name(input.name)},
-                    {"kind", input.kind},
+                    {"kind", name_in(kMotionInputKindNames, input.kind)},
                     {"unit", input.unit},
                     {"lower", number_or_null(input.lower)},
                     {"upper", number_or_null(input.upper)},
@@ -275,29 +287,27 @@ OrderedJson reset_motion(Session& session, const Json& /*params*/, const Progres
 // Rows.
 
 const char* const kMotionWords =
-    "t [s]; as wanted: joints {name: [value, rate, effort]} [rad, rad/s, N m or m, m/s, N], bodies "
-    "{name: {position [m], rotation [w, x, y, z], velocity of the centre of mass [m/s], spin "
-    "[rad/s]}}, contacts [{a, b, point [m], normal, force on a [N], torsion [N m], gap [m], "
-    "mode}], "
-    "energy {kinetic, weight, springs, total, work, dissipated, error since the start} [J], "
-    "muscles "
-    "{name: tension [N], or activation}; null: not known";
-const char* const kPlayWords = "t [s], playing, speed [1]";
+    "t_s; as wanted: joints {name: [value, rate, effort]} [rad, rad/s, N m or m, m/s, N], bodies "
+    "{name: {position_m, rotation [w, x, y, z], velocity_m_per_s of the centre of mass, "
+    "spin_rad_per_s}}, contacts [{a, b, point_m, normal, force_N on a, torsion_N_m, gap_m, mode}], "
+    "energy {kinetic_J, weight_J, springs_J, total_J, work_J, dissipated_J, error_J since the "
+    "start}, muscles {name: tension [N], or activation}; null: not known";
+const char* const kPlayWords = "t_s, playing, speed [1]";
 
 std::string with_quality(const std::string& of) {
-  return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m], leaps "
+  return "steps, unsolved contact problems, worst_residual [1], deepest_m: penetration, leaps "
          "(steps in which surfaces may have gone through each other), limits_passed [{joint, "
          "beyond_rad or beyond_m}] " +
          of +
-         "; energy_error (below 0: energy was created) and energy_turned_over (total energy "
-         "exchanged) since the start [J], energy_balances: whether the error is below 1 % of that; "
+         "; energy_error_J (below 0: energy was created) and energy_turned_over_J (total energy "
+         "exchanged) since the start, energy_balances: whether the error is below 1 % of that; "
          "restitution_ignored, the largest that steps neglect [1]; " +
          kMotionWords;
 }
 
 void add_opening_methods(MethodTable& table) {
   // Add the methods that open a simulation or a recording.
-  const std::string opened = "name, step [s], duration [s] or null, warnings";
+  const std::string opened = "name, step_s, duration_s or null, warnings";
   table.add({"motion.open", "Opens a scene, or the world as it is, to be moved step by step.",
              object_schema({{"scene", text_schema(),
                              "Name or file of the scene; default: the world as it is."},
@@ -330,7 +340,7 @@ void add_stepping_methods(MethodTable& table) {
              object_schema({want_member({"joints", "bodies", "contacts", "energy"})}),
              with_quality("since the start"), R"({"want": ["energy"]})", motion_state});
   table.add({"motion.set", "Sets inputs, which stay until they are set again.",
-             object_schema(input_members()), "t [s]", R"({"efforts": {}})", set_motion});
+             object_schema(input_members()), "t_s", R"({"efforts": {}})", set_motion});
   table.add({"motion.inputs", "Names what can be set.", object_schema({}),
              "inputs [{name, field (the name in structures of MATLAB, which does for it), kind: "
              "effort, target, tension or excitation, unit, lower, upper, set}]; "

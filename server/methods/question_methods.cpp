@@ -39,7 +39,7 @@ RpcMethod ask_method(const Question& question) {
     return reply_of(answer);
   };
   return {"ask." + question.name,
-          question.about,
+          question.description,
           schema_of(question.params, ParamScope::kAnywhere),
           fmt::format("the same as `thenar {} --json`, in SI units; each key ends in its unit",
                       question.command),

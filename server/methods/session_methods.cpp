@@ -33,7 +33,7 @@ OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress
   const MethodTable table = method_table();
   for (const RpcMethod& method : table.methods())
     list.push_back({{"name", method.name},
-                    {"about", method.about},
+                    {"about", method.description},
                     {"params", json_schema(method.params)},
                     {"returns", method.returns},
                     {"example", OrderedJson::parse(method.example)}});

@@ -79,7 +79,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
   // Add the force in the subject's frame.
   const DigitPoint& point = digit.state().point;
   const TendonModel<double>& model = digit.digit_case().bones().model;
-  const bool sound = trusted(point.pull.status);
+  const bool sound = is_trusted(point.pull.status);
   json["tip_force"] = sound ? OrderedJson(to_json(point.tip.f_W)) : OrderedJson();
   json["tip_force_axes"] = OrderedJson();
   // Add the force in the tip's axes.
@@ -130,7 +130,7 @@ OrderedJson state_json(const LiveDigit& digit) {
                    {"terminal", slips.terminal}};
   add_tip(digit, json);
   json["status"] = name_of(now.point.pull.status);
-  json["trusted"] = trusted(now.point.pull.status);
+  json["trusted"] = is_trusted(now.point.pull.status);
   json["warnings"] = warnings_of(digit);
   return json;
 }

@@ -10,14 +10,14 @@
 #include "server/frame.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"
+#include "server/rpc.h"
 
 namespace thenar::internal {
 namespace {
 
-constexpr std::size_t kMaxWorldBytes = 1'000'000;  // largest world as text [bytes]
-constexpr std::size_t kMaxFileText =
-    90'000'000;  // largest file in base64 [bytes]; RpcLimits::bytes is lower
-constexpr std::size_t kMaxFilesOfImport = 1000;  // largest number of files of an import
+constexpr std::size_t kMaxWorldBytes = 1'000'000;        // largest world as text [bytes]
+constexpr std::size_t kMaxFileText = RpcLimits{}.bytes;  // no text is longer than its message
+constexpr std::size_t kMaxFilesOfImport = 1000;          // largest number of files of an import
 
 OrderedJson added_json(const AddedThing& added) {
   return {{"name", added.name}, {"warnings", added.warnings}};

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/undetermined_tilts.h"
 #include "studies/thumb/thumb_study.h"
 
 namespace thenar {

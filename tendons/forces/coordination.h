@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "base/numbers.h"
 #include "solvers/status.h"
 #include "tendons/tip_statics.h"
 
@@ -18,17 +19,18 @@ struct CoordinationOptions {
 
 /// Result of coordinate().
 struct Coordination {
-  Status status;  // read this first. kInfeasible: the force is out of reach; `force` is the
-                  // nearest. kStalled without any result: `tension` and `force` are zero
+  /// Read this first. kInfeasible: the force is out of reach; `force` is the nearest. kStalled
+  /// without any result: `tension` and `force` are zero.
+  Status status = Status::kStalled;
   /// Minimal-effort tensions; if infeasible, some that give `force` [N] (m).
   Eigen::VectorXd tension;
   Eigen::VectorXd activation;    // tension / F0 [1] (m)
-  double effort;                 // sum activation^p [1]
+  double effort = 0;             // sum activation^p [1]
   Eigen::Vector3d force;         // the wanted force, or the nearest within reach [N] (3)
   Eigen::VectorXd tau_residual;  // J' wanted - R' t - tau_0 [N m] (n)
   std::string message;           // reason for the end of the search, in words
-  double gap;  // upper bound of the effort that other tensions could save; if infeasible, of the
-               // decrease of |miss|^2 [N^2]; NaN if unknown
+  double gap = kNaN;  // upper bound of the effort that other tensions could save; if infeasible, of
+                      // the decrease of |miss|^2 [N^2]; NaN if unknown
 };
 
 /// Computes the tensions of minimal effort for a wanted force of a pinned tip:

@@ -183,16 +183,20 @@ bool same_plane(const HullFacet& a, const HullFacet& b) {
   return (a.normal - b.normal).norm() < 1e-12 && std::abs(a.offset - b.offset) < 1e-12;
 }
 
+/// A hull, and the amount by which the set may exceed a facet of it, over the extent [1].
+struct CertifiedHull {
+  ConvexHull hull;
+  double excess;
+};
+
 /// Grows the hull until the farthest point over every facet lies on it.
-/// @param excess  amount by which the set may exceed a remaining facet, over the extent
-ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points,
-                double& excess) {
+CertifiedHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points) {
   std::vector<HullFacet> certified;
-  excess = 0;
+  double excess = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     // Compute the hull of the points so far.
     ConvexHull hull = convex_hull(local_points(frame, points));
-    if (!hull.message.empty()) return hull;
+    if (!hull.message.empty()) return {std::move(hull), excess};
     bool grown = false;
     double open = 0;  // excess over facets without a new point
     // Find the farthest point over every facet that is not certified yet.
@@ -209,9 +213,9 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
       excess = max_or_nan(excess, over);
     }
     excess = max_or_nan(excess, grown ? 0.0 : open);
-    if (!grown) return hull;
+    if (!grown) return {std::move(hull), excess};
   }
-  return {{}, "the hull of feasible forces did not close", {}};
+  return {{{}, "the hull of feasible forces did not close", {}}, excess};
 }
 
 /// Keeps the points where facets of d independent directions meet: true corners, not points that a
@@ -331,7 +335,8 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   };
   // Compute the hull of support points, then of its corners alone.
   std::vector<Point> points = distinct(frame, support);
-  ConvexHull hull = grow(oracle, frame, points, set.excess);
+  auto [hull, excess] = grow(oracle, frame, points);
+  set.excess = excess;
   if (hull.message.empty()) {
     points = corners(hull, frame, points);
     hull = convex_hull(local_points(frame, points));

@@ -38,10 +38,10 @@ struct ForceLimitPrices {
 
 /// Result of max_tip_force().
 struct MaxTipForce {
-  Status status;          // read this first
-  Eigen::Vector3d force;  // force of the tip on the world, world frame [N] (3)
-  double component;  // component of `force` along the direction, d' f, which is maximised; with a
-                     // tolerance |force| may be larger; infinite if unbounded [N]
+  Status status = Status::kStalled;  // read this first
+  Eigen::Vector3d force;             // force of the tip on the world, world frame [N] (3)
+  double component = 0;  // component of `force` along the direction, d' f, which is maximised; with
+                         // a tolerance |force| may be larger; infinite if unbounded [N]
   Eigen::VectorXd tension;              // tensions that produce it [N] (m)
   Eigen::VectorXd activation;           // tension / F0, 0 where F0 is infinite or zero [1] (m)
   Eigen::VectorXd torque_shadow_price;  // d component / d tau_0; zero unless solved [1/m] (n)
@@ -82,11 +82,12 @@ struct MaxTipForceOptions {
 
 /// Result of max_tip_wrench().
 struct MaxTipWrench {
-  Status status;               // read this first
-  double multiple;             // multiple of the given wrench; infinite if unbounded [1]
-  Eigen::VectorXd tension;     // tensions that produce it [N] (m)
-  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero [1] (m)
-  double gap;  // duality gap: bound of how much larger the multiple can be; NaN unless solved [1]
+  Status status = Status::kStalled;  // read this first
+  double multiple = 0;               // multiple of the given wrench; infinite if unbounded [1]
+  Eigen::VectorXd tension;           // tensions that produce it [N] (m)
+  Eigen::VectorXd activation;        // tension / F0, 0 where F0 is infinite or zero [1] (m)
+  /// Duality gap: bound of how much larger the multiple can be; NaN unless solved [1].
+  double gap = kNaN;
 };
 
 /// Computes the largest multiple of a wrench that a tip can hold, all other components zero:

@@ -20,9 +20,9 @@ enum class TipLoad { kForce, kMoment };
 /// Joint at the end of its range. Capsule and ligaments prevent further rotation, and exert no
 /// torque in the other sense:  0 <= torque / max_torque <= 1.
 struct JointStop {
-  int coordinate;     // index of the joint's coordinate
-  double max_torque;  // largest torque, with its sign: positive flexes, as at the end of extension;
-                      // may be infinite [N m]
+  int coordinate = 0;     // index of the joint's coordinate
+  double max_torque = 0;  // largest torque, with its sign: positive flexes, as at the end of
+                          // extension; may be infinite [N m]
 };
 
 /// Options of max_tip_load(): the load to maximise and the bounds of the other load, moments beside
@@ -44,7 +44,7 @@ struct MaxTipLoad {
   Eigen::Vector3d other;          // the other load, world frame [N m] or [N] (3)
   Eigen::VectorXd stop_torque{};  // torque of each stop, positive flexes [N m] (stops)
   /// Derivative of the component by |max_torque| of each stop as it grows, 0: not limiting; empty:
-  /// not requested, or not verified [N/(N m)] (stops).
+  /// not requested, or not verified [N/(N m)], of a moment [1] (stops).
   Eigen::VectorXd stop_price{};
 };
 

@@ -28,8 +28,8 @@ void require_tension(Eigen::Index tendons, const Eigen::Ref<const Eigen::VectorX
 /// carried by the skeleton alone have columns of exact zeros and not of rounding.
 struct TipBalance {
   Eigen::Matrix3d U;             // columns: left singular vectors of J (3, 3)
-  int rank;                      // rank of J: columns of force_part from here on are 0 [1]
-  double force_unit;             // force of the size that tendons produce [N]
+  int rank = 0;                  // rank of J: columns of force_part from here on are 0 [1]
+  double force_unit = 0;         // force of the size that tendons produce [N]
   Eigen::VectorXd row_scale;     // factor of each torque row (n) [1/(N m)]
   Eigen::MatrixXd force_part;    // force_unit V S, rows scaled (n, 3)
   Eigen::MatrixXd tension_part;  // -R' diag(unit), rows scaled (n, m)

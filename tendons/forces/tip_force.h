@@ -11,8 +11,8 @@ namespace thenar {
 struct TipForce {
   Eigen::Vector3d f_W;           // force of the tip on the world, world frame [N] (3)
   Eigen::VectorXd tau_residual;  // joint torque that no tip force can balance [N m] (n)
-  double condition;              // condition number of J_W; infinite if rank < possible [1]
-  int rank;                      // rank of J_W [1]
+  double condition = 0;          // condition number of J_W; infinite if rank < possible [1]
+  int rank = 0;                  // rank of J_W [1]
   int possible = 3;  // rank in a regular posture: 2 in the plane of parallel axes, where no joint
                      // feels the force across it, which is 0 here [1]
 

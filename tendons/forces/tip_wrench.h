@@ -21,11 +21,11 @@ struct TipWrench {
   Eigen::Vector3d m_W;           // moment of the tip on the world, about the tip [N m] (3)
   Eigen::Vector3d f_W;           // force of the tip on the world [N] (3)
   Eigen::VectorXd tau_residual;  // joint torque that no wrench can balance [N m] (n)
-  double condition;  // condition number of [length W; J]; infinite if its rank is below min(n,
-                     // possible) [1]
-  int rank;          // rank of [length W; J] [1]
+  double condition = 0;  // condition number of [length W; J]; infinite if its rank is below min(n,
+                         // possible) [1]
+  int rank = 0;          // rank of [length W; J] [1]
   /// True: rank < possible; many wrenches balance, this one has the smallest norm.
-  bool minimum_norm;
+  bool minimum_norm = false;
   int possible = 6;  // number of load components that joints can feel: 3 in the plane of parallel
                      // axes, two forces and the moment about its normal; others are 0 [1]
 };

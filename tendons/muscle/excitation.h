@@ -18,9 +18,9 @@ struct Excitation {
 
 /// Linear piece of an excitation.
 struct ExcitationPiece {
-  double begin, end;            // time interval [s]
+  double begin = 0, end = 0;    // time interval [s]
   Eigen::VectorXd first, last;  // values at its ends [1] (muscles)
-  bool jumps;                   // true: discontinuous with the piece before
+  bool jumps = false;           // true: discontinuous with the piece before
 
   [[nodiscard]] Eigen::VectorXd value_at(double time) const;
 };

@@ -25,7 +25,7 @@ inline void exponentials(Eigen::Ref<Eigen::VectorXd> x) {
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const double shifted = at[i] * kPerLog2 + kRound, k = shifted - kRound;
     const double r = (at[i] - k * kHigh) - k * kLow, r2 = r * r, r4 = r2 * r2;
-    // Pairs of terms, so that many are found at once.
+    // Add terms in pairs, which run in parallel.
     const double p1 = 1 / 2. + r * (1 / 6.), p2 = 1 / 24. + r * (1 / 120.),
                  p3 = 1 / 720. + r * (1 / 5040.), p4 = 1 / 40320. + r * (1 / 362880.),
                  p5 = 1 / 3628800. + r * (1 / 39916800.),

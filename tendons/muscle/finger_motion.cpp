@@ -303,7 +303,7 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
   const double speed_step = kDifferenceStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
   MatrixXd slopes(n, 2 * n);
   for (Index j = 0; j < n; ++j) {
-    // Difference by an angle, then by a speed.
+    // Take differences by an angle, then by a speed.
     const VectorXd one = VectorXd::Unit(n, j);
     slopes.col(j) = (bones(state.q + kDifferenceStep * one, state.q_dot) -
                      bones(state.q - kDifferenceStep * one, state.q_dot)) /

@@ -119,9 +119,9 @@ struct ActivationTimes {
 
 /// Rate of activation with its derivative.
 struct ActivationRate {
-  double rate;           // [1/s]
-  double by_activation;  // [1/s]; at a = e, where the rate has a corner, of the branch of falling
-                         // activation
+  double rate = 0;           // [1/s]
+  double by_activation = 0;  // [1/s]; at a = e, where the rate has a corner, of the branch of
+                             // falling activation
 };
 /// Computes the rate of activation a under excitation e:
 ///   a' = (e - a) / (rise (0.5 + 1.5 a))   where e > a,

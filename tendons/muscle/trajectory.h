@@ -44,10 +44,10 @@ struct EnergyBalance {
 
 /// Snap: a jump of a net to another equilibrium.
 struct MotionSnap {
-  double time;       // [s]
-  std::string band;  // name of the band whose tension changed most
-  double moved;      // largest displacement of a node [m]
-  double released;   // energy lost by net and muscles [J]
+  double time = 0;      // [s]
+  std::string band;     // name of the band whose tension changed most
+  double moved = 0;     // largest displacement of a node [m]
+  double released = 0;  // energy lost by net and muscles [J]
 };
 
 /// Motion of a digit over time; one row per instant.

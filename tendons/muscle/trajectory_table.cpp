@@ -39,13 +39,4 @@ TrajectoryTable trajectory_table(const Trajectory& t) {
   return table;
 }
 
-std::string as_csv(const TrajectoryTable& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (Eigen::Index i = 0; i < table.values.rows(); ++i)
-    for (Eigen::Index j = 0; j < table.values.cols(); ++j)
-      fmt::format_to(std::back_inserter(text), "{:.9g}{}", table.values(i, j) + 0.0,
-                     j + 1 < table.values.cols() ? ',' : '\n');
-  return text;
-}
-
 }  // namespace thenar

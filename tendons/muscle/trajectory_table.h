@@ -17,7 +17,4 @@ struct TrajectoryTable {
 /// muscle M; slip_.._N; tip_x_mm ..; energy_J, work_J, lost_J.
 [[nodiscard]] TrajectoryTable trajectory_table(const Trajectory& trajectory);
 
-/// Writes a table as comma-separated text with nine significant digits.
-[[nodiscard]] std::string as_csv(const TrajectoryTable& table);
-
 }  // namespace thenar

@@ -12,7 +12,7 @@ inline constexpr double kTautTension = 1e-6;  // Bands with less tension are cal
 
 /// Course of a band in equilibrium.
 struct BandCourse {
-  bool bent;                            // true: it lies on the bone that it bends over
+  bool bent = false;                    // true: it lies on the bone that it bends over
   std::vector<Eigen::Vector3d> points;  // points from end to end; along the bone in small steps [m]
 };
 

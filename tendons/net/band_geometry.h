@@ -25,11 +25,11 @@ struct RoundBone {
 /// Length L of a bent band and its derivatives by the ends:
 ///   dL/da = ua,   d2L/da2 = vaa va va' + na na na' (coefficient wa),   d2L/da db = vab va vb'
 struct BandGeometry {
-  double length;
-  Eigen::Vector3d ua, ub;        // gradients of L by a and b [1] (3)
-  Eigen::Vector3d va, vb;        // directions in which the ends turn the whole run (3)
-  Eigen::Vector3d na, nb;        // directions across the free runs (3)
-  double vaa, vab, vbb, wa, wb;  // coefficients of the second derivatives [1/m]
+  double length = 0;
+  Eigen::Vector3d ua, ub;  // gradients of L by a and b [1] (3)
+  Eigen::Vector3d va, vb;  // directions in which the ends turn the whole run (3)
+  Eigen::Vector3d na, nb;  // directions across the free runs (3)
+  double vaa = 0, vab = 0, vbb = 0, wa = 0, wb = 0;  // coefficients of the second derivatives [1/m]
 };
 
 /// Contact of a band with its bone.

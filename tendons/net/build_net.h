@@ -35,14 +35,14 @@ struct NetBuildOptions {
 
 /// Pull of one muscle of the digit on the net.
 struct MuscleAttachment {
-  int muscle;    // index of the muscle in the digit
-  double share;  // fraction of its tension that it pulls with [1]
+  int muscle = 0;    // index of the muscle in the digit
+  double share = 0;  // fraction of its tension that it pulls with [1]
 };
 
 /// Muscle of the digit that pulls the net, with the path of its tendon outside the net.
 struct NetMuscle {
-  int muscle;                   // index of the muscle in the digit
-  double to_net;                // share of its tension that enters the net [1]
+  int muscle = 0;               // index of the muscle in the digit
+  double to_net = 0;            // share of its tension that enters the net [1]
   TendonPath<double> own_path;  // path from its exit, where it leaves the net, to its origin
 };
 

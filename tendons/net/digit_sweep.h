@@ -23,8 +23,7 @@ struct DigitPoint {
 };
 
 /// Solves all postures in order. A net is followed to each from the straight finger, so that the
-/// result at a posture does not depend on the others; sweep_net() follows a net from one to the
-/// next.
+/// result at a posture does not depend on the others.
 /// @param t         tension of each muscle [N] (muscles)
 /// @param progress  progress; where it stops the sweep, the points so far are returned
 /// @throws InputError as DigitTendons::evaluate().

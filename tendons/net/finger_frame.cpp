@@ -207,11 +207,11 @@ class FrameBuilder {
   /// Turns every joint that may back by the angle between its bones.
   void set_straight() {
     frame_.straight = Eigen::VectorXd::Zero(skeleton_.coordinates());
-    // Coupled joints have no coordinate of their own.
+    // Skip coupled joints, which have no coordinate of their own.
     for (std::size_t j = 0; j < 3; ++j) {
       const int place = place_in(skeleton_.coordinate_names, joint_[j]->name);
       if (place < 0) continue;
-      // Angle between the two bones about the joint's axis.
+      // Compute the angle between the two bones about the joint's axis.
       const Vector3d d = axis(j), u = frame_.bones[j].along, v = frame_.bones[j + 1].along;
       const double bent = std::atan2(d.dot(u.cross(v)), u.dot(v) - d.dot(u) * d.dot(v));
       frame_.straight[place] = -bent;
@@ -230,7 +230,7 @@ class FrameBuilder {
   }
 
   void set_ratios() {
-    // Ratios at the joints, then at both ends of each bone.
+    // Compute the ratios at the joints, then at both ends of each bone.
     std::array<double, 3> ratio;
     for (std::size_t j = 0; j < 3; ++j)
       ratio[j] = frame_.height[j] / net_.height.at(static_cast<FingerJoint>(j));
@@ -265,7 +265,7 @@ FingerFrame finger_frame(const Subject& subject, const TendonDigit& digit,
 FingerFrame reference_finger(const NetDescription& description) {
   FingerFrame frame;
   frame.scale = 1;
-  // Bones end to end along x.
+  // Place the bones end to end along x.
   double end = description.bone_length.at(BoneRole::kMetacarpal);
   for (std::size_t b = 0; b < 4; ++b) {
     FingerBone& bone = frame.bones[b];

@@ -16,7 +16,7 @@ namespace thenar {
 
 /// Band whose slack length is fitted.
 struct FittedBand {
-  int band;
+  int band = 0;
   int like = -1;  // band whose strain it must have; -1: none, it must only not be slack
 };
 

@@ -27,8 +27,8 @@ namespace thenar {
 
 /// Options of length_by_posture().
 struct LengthSlopes {
-  int coordinates;     // number of entries of q
-  double settled = 0;  // residual below which a stalled net counts as balanced [N]
+  int coordinates = 0;  // number of entries of q
+  double settled = 0;   // residual below which a stalled net counts as balanced [N]
 };
 
 /// Computes dL/dq of all bands while the net stays in equilibrium (bands, coordinates) [m/rad].

@@ -343,9 +343,10 @@ void NetDescent::lift(int k, Vector3d& there) const {
   }
 }
 
-/// Moves by the fraction `part` of the step, outside bones; `slope` is the linear change of E [J].
-bool NetDescent::try_step(double part, double& slope) {
-  slope = 0;
+/// Moves by the fraction `part` of the step, outside bones.
+/// @return linear change of E [J]; none: a node cannot be moved out of a bone
+std::optional<double> NetDescent::try_step(double part) {
+  double slope = 0;
   for (int k = 0; k < rows(); ++k) {
     const int i = plan_.node[k];
     // Move the node.
@@ -360,12 +361,12 @@ bool NetDescent::try_step(double part, double& slope) {
     // Project it out of the bones; use the actual displacement of a node that hits one.
     if (!plan_.wrapping_bands[k].empty()) lift(k, next_.x[i]);
     if (!project_node(plan_.net, scene_, plan_.net.nodes[i], next_.x[i], next_.contact[k]))
-      return false;
+      return std::nullopt;
     const bool hit = next_.contact[k].touching > here_.contact[k].pressed;
     slope += hit ? here_.E.g[k].dot(next_.x[i] - here_.x[i]) : straight;
   }
   measure(next_);
-  return true;
+  return slope;
 }
 
 /// Computes the fraction of the step at which the first band of constant pull passes its exit; 1 if
@@ -408,10 +409,9 @@ bool NetDescent::line_search() {
                           ? 5
                           : 0;  // on alternate iterations: either method alone may converge slowly
   for (int tries = 0; tries < 60; ++tries) {
-    double slope = 0;
-    const bool possible = try_step(part, slope);
+    const std::optional<double> slope = try_step(part);
     // Test Armijo's condition, up to rounding.
-    if (possible && next_.E.energy <= here_.E.energy + 1e-4 * std::min(slope, 0.0) + noise) {
+    if (slope && next_.E.energy <= here_.E.energy + 1e-4 * std::min(*slope, 0.0) + noise) {
       // Accept, and update the trust radius.
       std::swap(here_, next_);
       if (part < 0.3)
@@ -423,7 +423,7 @@ bool NetDescent::line_search() {
       return true;
     }
     // Add the secant stiffness of bands that a long first step makes taut.
-    if (part == 1 && possible && largest_move_ < kKinkStep && secant_trials-- > 0 &&
+    if (part == 1 && slope && largest_move_ < kKinkStep && secant_trials-- > 0 &&
         add_secant_stiffness()) {
       if (!direction()) return false;
       definite_ = false;  // the Hessian is modified

@@ -3,6 +3,7 @@
 /// Newton's method for the energy minimum of a net with nodes outside of bones. Derivation:
 /// docs/theory/extensor_net.md
 
+#include <optional>
 #include <vector>
 
 #include "solvers/block_matrix.h"
@@ -63,7 +64,7 @@ class NetDescent {
 
   // Length of the step.
   void lift(int k, Eigen::Vector3d& there) const;
-  bool try_step(double part, double& slope);
+  std::optional<double> try_step(double part);
   [[nodiscard]] double step_to_exit() const;
   [[nodiscard]] double rounding() const;
   bool line_search();

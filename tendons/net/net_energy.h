@@ -17,9 +17,9 @@ namespace thenar::internal {
 
 /// Band with its blocks in the stiffness matrix.
 struct BandPlan {
-  int ka, kb;     // rows of its ends; -1: not free
-  int slot = -1;  // index of the block that couples them
-  bool flip;      // true: the block is (kb, ka), not (ka, kb)
+  int ka = -1, kb = -1;  // rows of its ends; -1: not free
+  int slot = -1;         // index of the block that couples them
+  bool flip = false;     // true: the block is (kb, ka), not (ka, kb)
 };
 
 /// Structure of a net's stiffness matrix.

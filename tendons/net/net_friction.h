@@ -10,12 +10,12 @@ namespace thenar {
 
 /// Friction at a node in contact with a bone.
 struct NodeFriction {
-  int node;
-  bool sticks;            // true: the node stays where it started
-  double normal;          // normal force of the bone, >= 0 [N]
+  int node = 0;
+  bool sticks = false;    // true: the node stays where it started
+  double normal = 0;      // normal force of the bone, >= 0 [N]
   Eigen::Vector3d force;  // tangential force of the bone on the node: at most friction times
                           // `normal`; equal to it and against the slip if the node slips [N] (3)
-  double slip;            // distance from its start [m]
+  double slip = 0;        // distance from its start [m]
 };
 
 /// Options of solve_net_friction().

@@ -104,8 +104,7 @@ bool NetDescent::leave_saddle() {
   const double noise = 1e-14 * here_.E.size;
   for (double size = 1e-3; size > 1e-7; size *= 0.3)
     for (double way : {size, -size}) {
-      double slope = 0;
-      if (!try_step(way / longest, slope) || next_.E.energy > here_.E.energy - noise) continue;
+      if (!try_step(way / longest) || next_.E.energy > here_.E.energy - noise) continue;
       std::swap(here_, next_);
       return true;
     }

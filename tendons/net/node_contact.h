@@ -13,7 +13,7 @@ namespace thenar::internal {
 
 /// Signed distance of a point from a surface, and its direction.
 struct SurfaceGap {
-  double gap;              // negative inside [m]
+  double gap = 0;          // negative inside [m]
   Eigen::Vector3d normal;  // out of the bone, world (3)
 };
 

@@ -51,22 +51,4 @@ NetEquilibrium NetSolver::solve(const TreeState<double>& state, const NetDrive& 
   return rest;
 }
 
-std::vector<NetEquilibrium> solve_postures(NetSolver& solver, const Tree<double>& tree,
-                                           const std::vector<Eigen::VectorXd>& postures,
-                                           const NetDrive& drive, Eigen::Matrix3Xd start) {
-  // Check that every posture has all coordinates of the tree.
-  int coordinates = 0;
-  for (const Hinge<double>& hinge : tree) coordinates = std::max(coordinates, hinge.coordinate + 1);
-  for (std::size_t k = 0; k < postures.size(); ++k)
-    require(postures[k].size() >= coordinates, "posture {} has {} coordinates, the tree {}", k,
-            postures[k].size(), coordinates);
-  // Solve the postures in turn, each from the last balanced equilibrium.
-  std::vector<NetEquilibrium> rests;
-  for (const Eigen::VectorXd& q : postures) {
-    rests.push_back(solver.solve(pose_tree(tree, q), drive, start.cols() == 0 ? nullptr : &start));
-    if (rests.back().status == NetStatus::kBalanced) start = rests.back().x;
-  }
-  return rests;
-}
-
 }  // namespace thenar

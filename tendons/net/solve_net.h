@@ -41,17 +41,17 @@ struct NetSolverOptions {
 
 /// Contact of a node with a bone.
 struct NetContact {
-  int node;      // index in Net::nodes
-  int surface;   // index in Net::surfaces
-  double force;  // normal force on the node [N]; where bands that wrap over the bone hold the node
-                 // on it, it may be negative: with S the sum of their tensions and r the radius,
-                 // not below -S max(sqrt(2e-11 m / r), 4e-17 m S / (tolerance r))
+  int node = 0;      // index in Net::nodes
+  int surface = 0;   // index in Net::surfaces
+  double force = 0;  // normal force on the node [N]; where bands that wrap over the bone hold the
+                     // node on it, it may be negative: with S the sum of their tensions and r the
+                     // radius, not below -S max(sqrt(2e-11 m / r), 4e-17 m S / (tolerance r))
   Eigen::Vector3d normal;  // outward normal of the bone, world (3)
 };
 
 /// Band of constant pull that has collapsed its node into its exit, or two nodes together.
 struct CollapsedBand {
-  int band;               // index in Net::bands
+  int band = 0;           // index in Net::bands
   Eigen::Vector3d force;  // force of the band on its end a, opposite to that on its end b; at most
                           // the pull; world [N] (3)
 };
@@ -99,17 +99,5 @@ class NetSolver {
   struct Workspace;
   std::unique_ptr<Workspace> work_;
 };
-
-// One net at many postures.
-
-/// Solves the net at one posture after another, each time from the last balanced equilibrium, so
-/// that a band on a bone stays on its side of a joint.
-/// @param postures  postures [rad] (coordinates) each
-/// @param start     initial nodes at the first one, world [m] (3, nodes); empty: each where its
-/// link carries NetNode::p
-/// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
-[[nodiscard]] std::vector<NetEquilibrium> solve_postures(
-    NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,
-    const NetDrive& drive, Eigen::Matrix3Xd start = {});
 
 }  // namespace thenar

@@ -16,9 +16,9 @@ namespace thenar {
 /// gap between 0 and the lower bound lets data reject a band: one of zero stiffness could never be
 /// rejected.
 struct CandidateBand {
-  int band;       // index of a passive band in the net
-  double min_EA;  // smallest EA that counts as a band, > 0 [N]
-  double max_EA;  // largest plausible EA [N]
+  int band = 0;       // index of a passive band in the net
+  double min_EA = 0;  // smallest EA that counts as a band, > 0 [N]
+  double max_EA = 0;  // largest plausible EA [N]
 };
 
 /// Net of all candidate bands, on the bones that carry them. The net's own EA are typical values.

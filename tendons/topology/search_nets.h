@@ -30,9 +30,9 @@ struct NetSearchOptions {
 /// Tests and best misfit of one round.
 struct NetSearchRound {
   std::vector<RankedTest> measured;  // tests measured in this round
-  int tests;                         // number of tests measured before
-  double misfit;                     // chi^2 of the best net before [1]
-  int rivals;                        // number of nets within `doubt` of it
+  int tests = 0;                     // number of tests measured before
+  double misfit = 0;                 // chi^2 of the best net before [1]
+  int rivals = 0;                    // number of nets within `doubt` of it
 };
 
 /// Result of search_nets().

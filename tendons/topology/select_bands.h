@@ -16,11 +16,11 @@ struct SelectOptions {
 
 /// Step of the path at one price.
 struct PenaltyStep {
-  double price;        // [1]
-  double misfit;       // chi^2 of the penalised fit [1]
-  Topology bands;      // bands that it keeps
-  double information;  // chi^2 of the refit without penalty + log(rows) * bands [1]; infinite if it
-                       // does not carry the loads
+  double price = 0;        // [1]
+  double misfit = 0;       // chi^2 of the penalised fit [1]
+  Topology bands;          // bands that it keeps
+  double information = 0;  // chi^2 of the refit without penalty + log(rows) * bands [1]; infinite
+                           // if it does not carry the loads
 };
 
 /// Result of select_bands().

@@ -35,7 +35,7 @@ struct BoneSurface {
 
 /// Signed distance of a point from a surface, with its derivatives.
 struct SurfaceProbe {
-  double gap;                 // signed distance, negative inside [m]
+  double gap = 0;             // signed distance, negative inside [m]
   Eigen::Vector3d normal;     // gradient of `gap`, unit (3)
   Eigen::Matrix3d curvature;  // Hessian of `gap` (3, 3) [1/m]
 };

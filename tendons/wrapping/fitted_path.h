@@ -48,7 +48,7 @@ struct FittedPath {
 
 /// Length of a fitted path, with its moment arms.
 struct FittedLength {
-  double length;  // [m]
+  double length = 0;  // [m]
   /// Moment arms -dL/dq, the exact gradient of the fit [m/rad] (coordinates).
   Eigen::RowVectorXd arms;
 };

@@ -27,14 +27,14 @@ using internal::ArcEnds;
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
 ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
               const Row4& omega) {
-  // Position and frame in the world.
+  // Compute position and frame in the world.
   const SurfaceCurvature at = surface_curvature(*link.surface, ray.p);
   ArcEnd end;
   end.p = link.X * ray.p;
   end.t = link.X.R * ray.t;
   end.n = link.X.R * at.n;
   end.b = end.t.cross(end.n);
-  // Derivatives by shift and turn, through the shape operator.
+  // Compute derivatives by shift and turn, through the shape operator.
   const Vector3d St = link.X.R * (at.S * ray.t);
   const Vector3d Sb = link.X.R * (at.S * (link.X.R.transpose() * end.b));
   end.dp = end.t * sigma + end.b * eta;
@@ -84,7 +84,7 @@ void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const RunEn
 /// Computes residuals and Jacobian of a chain. @param ends  ends of all arcs (arcs)
 template <typename Ends>
 Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int m) {
-  // Four conditions a surface; its runs end at its neighbours, or at a and b.
+  // Set four conditions for each surface; its runs end at its neighbours, or at a and b.
   Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
   for (int i = 0; i < m; ++i) {
     const ArcEnds& here = ends[i];
@@ -134,13 +134,13 @@ void set_near_rows(Tangency& system, int row, int own, const ArcEnd& end, const 
   const double run = std::sqrt(std::max(square, 0.0));
   const double weight =
       lifted ? std::min(1.0, std::sqrt(2 * at.height * scale) / kClearRun) / scale : 1 / scale;
-  // Row along the string.
+  // Fill the row along the string.
   Row4 slope = sign * end.t.transpose() * end.dp;
   if (run > 0) slope -= (s * slope - off.transpose() * end.dn / curvature) / run;
   system.J.middleRows<2>(row).setZero();
   system.f[row] = weight * (s - run);
   system.J.block<1, 4>(row, own) = weight * slope;
-  // Row across it.
+  // Fill the row across it.
   system.f[row + 1] = off.dot(end.b) / scale;
   system.J.block<1, 4>(row + 1, own) =
       (end.b.transpose() * end.dp + off.transpose() * end.db) / scale;

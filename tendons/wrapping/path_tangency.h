@@ -23,8 +23,9 @@ struct ChainArc {
 
 /// Errors of tangency between a chain of arcs and its straight runs.
 struct ChainFit {
-  double error;    // largest angle between a run and the plane or line in which it should lie [rad]
-  int iterations;  // Newton steps
+  /// Largest angle between a run and the plane or line in which it should lie [rad].
+  double error = 0;
+  int iterations = 0;  // Newton steps
 };
 
 /// Solves the tangency conditions by Newton's method, four conditions per surface:

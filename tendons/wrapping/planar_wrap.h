@@ -11,9 +11,9 @@ namespace thenar {
 /// Contact of a string from a to b with the circle of radius r about the origin.
 struct PlanarWrap {
   Eigen::Vector2d touch_a, touch_b;  // touch points on the sides of a and b [m] (2)
-  double sense;                      // sense of wrapping: 1 counterclockwise, -1 clockwise
-  double angle;                      // wrapped angle, 0 .. 2 pi [rad]
-  double free_a, free_b;             // lengths of the straight parts [m]
+  double sense = 0;                  // sense of wrapping: 1 counterclockwise, -1 clockwise
+  double angle = 0;                  // wrapped angle, 0 .. 2 pi [rad]
+  double free_a = 0, free_b = 0;     // lengths of the straight parts [m]
 };
 
 /// Wraps a string so that it never crosses the half line from the origin opposite to `side`.

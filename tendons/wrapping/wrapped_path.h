@@ -18,7 +18,7 @@ struct WrapPoint {
 
 /// Surface that a tendon may bend over.
 struct PathWrap {
-  int surface;             // index in PathSet::surfaces
+  int surface = 0;         // index in PathSet::surfaces
   Eigen::Vector3d side_S;  // point that defines the side of the surface on which the tendon passes,
                            // frame S [m] (3)
 };

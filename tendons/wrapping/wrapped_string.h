@@ -11,8 +11,8 @@ namespace thenar {
 
 /// Length of a string from a to b and its derivatives by the stacked ends (a, b).
 struct WrappedString {
-  double length;                      // [m]
-  bool bent;                          // true: it touches the surface
+  double length = 0;                  // [m]
+  bool bent = false;                  // true: it touches the surface
   bool possible = true;               // false: an end lies inside the surface
   Eigen::Matrix<double, 6, 1> slope;  // d length / d(a, b): unit tangents at the ends [1]
   Eigen::Matrix<double, 6, 6> curve;  // d2 length / d(a, b)2 [1/m]

@@ -30,6 +30,7 @@ TEST(Deprecated, TypesAreThoseOfToday) {
   EXPECT_TRUE((std::is_same_v<NetInference, InferNetResult>));
   EXPECT_TRUE((std::is_same_v<RobotDofKind, DriveCoupling>));
   EXPECT_TRUE((std::is_same_v<SceneJointKind, JointKind>));
+  EXPECT_FALSE(trusted(TendonStatus::kUnbalanced));
   EXPECT_EQ(kNmm, 1e-3);
   EXPECT_EQ(kNormal95, kNormal95HalfWidth);
   EXPECT_TRUE((std::is_same_v<Scene, GraspSetup>));

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "tests/data/axes_from_dh.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -102,6 +102,8 @@ inline const std::vector<ArrayMutation>& array_mutations() {
 
 /// What became of one changed file: "fit/z transposed: PATH:1: .."; where it was read: "..: read".
 using MutationVerdicts = std::vector<std::string>;
+/// Number of changed files that each result has at least: with fewer, arrays were left out.
+inline constexpr std::size_t kMinMutations = 101;
 
 /// Changes every array of a result in every way, and reads each file.
 /// @param path  where changed files are written

@@ -10,6 +10,7 @@
 #include "data/io/dh.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
+#include "tests/data/axes_from_dh.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "kinematics_fit/axis_doubts.h"
+#include "kinematics_fit/undetermined_tilts.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
@@ -104,7 +104,7 @@ TEST(NoiseEvidence, DoesNotAccuseMeasuredFingers) {
 }
 
 /// Doubts of a finger on one load in one posture, its axes and its load cell free.
-AxisDoubts doubts_of_one_force() {
+UndeterminedTilts tilts_of_one_force() {
   sample::FitSetup setup = sample::middle_finger(R"(
 [[parameter]]
 match = "axis/DIP3/direction/*"
@@ -120,23 +120,23 @@ between_sd_deg = 8
   setup.experiments.front().trials.resize(1);
   const FitProblem problem = setup.problem();
   const VectorXd z = sample::fit_precisely(problem).z;
-  return find_axis_doubts(problem, z, posterior_covariance(problem, z));
+  return find_undetermined_tilts(problem, z, posterior_covariance(problem, z));
 }
 
-TEST(AxisDoubts, NamesTiltsThatNoForceFeels) {
+TEST(UndeterminedTilts, NamesTiltsThatNoForceFeels) {
   // Five tilts, three numbers of one force; the DIP axis tilts more than it can tell.
-  const AxisDoubts doubts = doubts_of_one_force();
-  EXPECT_EQ(doubts.tilts, 2);
-  ASSERT_FALSE(doubts.undecided.empty());
-  EXPECT_GT(doubts.undecided.front().sd, 0.9);
-  const std::vector<std::string> told = describe(doubts);
+  const UndeterminedTilts tilts = tilts_of_one_force();
+  EXPECT_EQ(tilts.tilt_count, 2);
+  ASSERT_FALSE(tilts.undecided.empty());
+  EXPECT_GT(tilts.undecided.front().sd, 0.9);
+  const std::vector<std::string> told = describe(tilts);
   ASSERT_FALSE(told.empty());
   EXPECT_NE(told.front().find("axis/DIP3/direction/"), std::string::npos);
 }
 
-// Of one force of each joint's axis and the cell: doubts are those pairs whose correlation in the
-// posterior, read from its covariance, is above 0.8.
-TEST(AxisDoubts, TellThePairsThatTradePlaces) {
+// Of one force of each joint's axis and the cell: those pairs are correlated whose correlation in
+// the posterior, read from its covariance, is above 0.8.
+TEST(UndeterminedTilts, TellThePairsThatTradePlaces) {
   for (const char* joint : {"MCP3_FE", "MCP3_AA", "PIP3", "DIP3"}) {
     sample::FitSetup setup = sample::middle_finger(
         "[[parameter]]\nmatch = 'axis/" + std::string(joint) +
@@ -157,11 +157,11 @@ TEST(AxisDoubts, TellThePairsThatTradePlaces) {
         if (axis.rfind("axis/", 0) == 0 && cell.rfind("sensor/", 0) == 0)
           largest = std::max(largest, std::abs(C(a, b)) / std::sqrt(C(a, a) * C(b, b)));
       }
-    const AxisDoubts doubts = find_axis_doubts(problem, z, covariance);
-    ASSERT_EQ(doubts.traded.empty(), largest <= 0.8) << joint << " " << largest;
-    if (doubts.traded.empty()) continue;
-    EXPECT_NEAR(std::abs(doubts.traded.front().correlation), largest, 1e-6) << joint;
-    EXPECT_NE(describe(doubts).back().find("trade places"), std::string::npos);
+    const UndeterminedTilts tilts = find_undetermined_tilts(problem, z, covariance);
+    ASSERT_EQ(tilts.correlated.empty(), largest <= 0.8) << joint << " " << largest;
+    if (tilts.correlated.empty()) continue;
+    EXPECT_NEAR(std::abs(tilts.correlated.front().correlation), largest, 1e-6) << joint;
+    EXPECT_NE(describe(tilts).back().find("trade places"), std::string::npos);
   }
 }
 

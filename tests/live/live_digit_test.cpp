@@ -443,7 +443,8 @@ TEST(LiveDigit, OpensEveryDigitOrSaysWhyNot) {
             for (const std::string& muscle : bones.names.muscles) inputs.tension[muscle] = 3;
             EXPECT_THAT(live.set(inputs), IsEmpty());
             check_instant(live.shape(), live.instant());
-            EXPECT_TRUE(trusted(live.state().point.pull.status) || !live.state().warnings.empty());
+            EXPECT_TRUE(is_trusted(live.state().point.pull.status) ||
+                        !live.state().warnings.empty());
             ++opened;
           } catch (const Error& error) {
             // No net on a thumb, no muscle at a digit.

@@ -203,12 +203,12 @@ TEST_F(LiveFitFile, IntervalsOfAxesHoldTheirDraws) {
   const LiveFit live(path("P.nc"));
   const LiveFit* shown = &live;
   for (const LiveAxisPair& pair : shown->axis_pairs()) {
-    EXPECT_LE(pair.low.angle, pair.high.angle) << pair.axes.name;
-    EXPECT_LE(pair.low.distance, pair.high.distance) << pair.axes.name;
+    EXPECT_LE(pair.lower.angle, pair.upper.angle) << pair.axes.name;
+    EXPECT_LE(pair.lower.distance, pair.upper.distance) << pair.axes.name;
     const bool moves = pair.axes.name.find("PIP3") != std::string::npos;
-    EXPECT_EQ(pair.low.angle < pair.high.angle, moves) << pair.axes.name;
-    EXPECT_LE(pair.low.angle, pair.estimate.angle) << pair.axes.name;
-    EXPECT_LE(pair.estimate.angle, pair.high.angle) << pair.axes.name;
+    EXPECT_EQ(pair.lower.angle < pair.upper.angle, moves) << pair.axes.name;
+    EXPECT_LE(pair.lower.angle, pair.estimate.angle) << pair.axes.name;
+    EXPECT_LE(pair.estimate.angle, pair.upper.angle) << pair.axes.name;
   }
 }
 

@@ -261,8 +261,8 @@ TEST(LiveMotion, NamesWhatCanBeSet) {
   LiveMotion motion(scene_called("wine_glass"));
   int efforts = 0, targets = 0;
   for (const MotionInput& input : motion.inputs()) {
-    efforts += input.kind == "effort" ? 1 : 0;
-    targets += input.kind == "target" ? 1 : 0;
+    efforts += input.kind == MotionInputKind::kEffort ? 1 : 0;
+    targets += input.kind == MotionInputKind::kTarget ? 1 : 0;
     EXPECT_LE(input.lower, input.upper);
   }
   EXPECT_EQ(efforts, 3);
@@ -321,7 +321,7 @@ TEST(LiveMotion, TendonsOfAWorldPull) {
   LiveMotion motion(world_called("human_mug", WorldDrives::kTendons));
   MotionInputs inputs;
   for (const MotionInput& input : motion.inputs())
-    if (input.kind == "tension" && input.name.find("FDP3") != std::string::npos)
+    if (input.kind == MotionInputKind::kTension && input.name.find("FDP3") != std::string::npos)
       inputs.tensions[input.name] = 4;
   ASSERT_FALSE(inputs.tensions.empty());
   LiveMotion slack(world_called("human_mug", WorldDrives::kTendons));

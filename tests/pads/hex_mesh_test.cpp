@@ -74,28 +74,6 @@ TEST(HexMesh, NeighboursDifferByOneLevel) {
     }
 }
 
-TEST(HexMesh, CoarseningTakesBackARefinement) {
-  HexMesh mesh = box_mesh({1, 1, 1}, {2, 2, 2});
-  const std::vector<int> before = mesh.active();
-  mesh.refine({3});
-  EXPECT_EQ(mesh.active().size(), before.size() + 7);
-  mesh.coarsen({3});
-  EXPECT_EQ(mesh.active(), before);
-  for (int node = 0; node < mesh.nodes(); ++node) EXPECT_TRUE(mesh.masters(node).empty());
-}
-
-TEST(HexMesh, CoarseningKeepsTheBalance) {
-  HexMesh mesh = graded_mesh();
-  const std::size_t before = mesh.active().size();
-  // Its first refinement still has finer cells within, and a neighbour is needed by the balance.
-  std::vector<int> all;
-  for (int cell = 0; cell < 8; ++cell) all.push_back(cell);
-  mesh.coarsen(all);
-  EXPECT_NEAR(volume_of(mesh), 1, 1e-13);
-  EXPECT_LE(mesh.active().size(), before);
-  EXPECT_GE(mesh.cells()[0].first_child, 0);
-}
-
 TEST(HexMesh, InvertedCellsAreRefused) {
   class Mirrored final : public HexChart {
     [[nodiscard]] Vector3d place(const Vector3d& c) const override { return {-c[0], c[1], c[2]}; }

@@ -11,9 +11,9 @@
 #include "base/units.h"
 #include "kinematics_fit/bands/hood_comparison.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/net/sweep_net.h"
 
 namespace thenar {
 namespace {

@@ -145,8 +145,8 @@ TEST_P(EveryQuestion, RecordsARequestThatGivesTheSameBits) {
 
 TEST_P(EveryQuestion, SaysWhatItsParametersAre) {
   for (const Param& param : question().params) {
-    EXPECT_FALSE(param.member.about.empty()) << param.member.name;
-    EXPECT_EQ(param.member.about.back(), '.') << param.member.name;
+    EXPECT_FALSE(param.member.description.empty()) << param.member.name;
+    EXPECT_EQ(param.member.description.back(), '.') << param.member.name;
   }
 }
 

@@ -39,7 +39,7 @@ TEST(AllMethods, TakeTheirExamples) {
     EXPECT_NO_THROW((void)validated(method.params, Json::parse(method.example), "params"))
         << method.name;
     EXPECT_TRUE(method.handler != nullptr) << method.name;
-    EXPECT_EQ(method.about.back(), '.') << method.name;
+    EXPECT_EQ(method.description.back(), '.') << method.name;
     EXPECT_FALSE(method.returns.empty()) << method.name;
   }
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tests/message_of.h"
 
 namespace thenar {
@@ -20,6 +21,20 @@ RpcMethod method_named(const std::string& name) {
           [name](Session&, const Json&, const Progress&) -> OrderedJson {
             return {{"did", name}};
           }};
+}
+
+// Keys that had no unit in earlier versions are there with and without it, others with it alone.
+TEST(ReplyJson, EndsKeysInTheirUnits) {
+  const Fields point{{"gap", units::kMetreBare, 0.25}, {"beyond", units::kDegree, 0.5}};
+  const OrderedJson reply = reply_json({{"t", units::kSecondBare, 2.0},
+                                        {"name", "cube"},
+                                        {"first", point},
+                                        {"points", std::vector<Fields>{point}},
+                                        {"unknown", units::kJouleBare, kNaN}});
+  const std::string part = R"({"gap":0.25,"gap_m":0.25,"beyond_rad":0.5})";
+  EXPECT_EQ(json_text(reply, -1), R"({"t":2.0,"t_s":2.0,"name":"cube","first":)" + part +
+                                      R"(,"points":[)" + part +
+                                      R"(],"unknown":null,"unknown_J":null})");
 }
 
 TEST(MethodTable, KeepsTheOrderInWhichMethodsWereAdded) {

@@ -89,6 +89,27 @@ TEST_F(MotionMethods, StateOfAPinchIsThatOfStatics) {
   EXPECT_EQ(reply["restitution_ignored"], 0.0);
 }
 
+TEST_F(MotionMethods, KeysEndInTheirUnits) {
+  (void)call("motion.open", {{"scene", "pinch"}, {"step", 0.002}});
+  const OrderedJson reply =
+      call("motion.step", {{"steps", 2}, {"want", {"bodies", "contacts", "energy"}}});
+  EXPECT_DOUBLE_EQ(reply["t_s"].get<double>(), 0.004);
+  const auto same = [](const OrderedJson& of, const std::string& key, const std::string& unit) {
+    ASSERT_TRUE(of.contains(key + unit)) << key;
+    EXPECT_EQ(of[key], of[key + unit]) << key;
+  };
+  same(reply, "deepest", "_m");
+  same(reply, "energy_error", "_J");
+  same(reply["energy"], "kinetic", "_J");
+  same(reply["bodies"]["cube"], "velocity", "_m_per_s");
+  same(reply["bodies"]["cube"], "spin", "_rad_per_s");
+  for (const OrderedJson& contact : reply["contacts"]) {
+    same(contact, "force", "_N");
+    same(contact, "torsion", "_N_m");
+    same(contact, "gap", "_m");
+  }
+}
+
 // A pendulum with a period of 0.96 s in steps of 100 ms: a tenth of its energy is made of nothing.
 TEST_F(MotionMethods, SayThatEnergyDoesNotBalance) {
   (void)call("motion.open", {{"scene", "pendulum"}, {"step", 0.1}});

@@ -41,7 +41,7 @@ Number number_at(const std::string& bytes, std::size_t offset) {
 TEST(SceneMessage, NamesMeshesByTheirContent) {
   SmallModel model;
   MeshStore meshes;
-  const OrderedJson scene = scene_message(model.shape(), 5, "motion", meshes);
+  const OrderedJson scene = scene_message(model.shape(), 5, LiveMode::kMotion, meshes);
   EXPECT_EQ(scene["revision"], 5);
   EXPECT_EQ(scene["mode"], "motion");
   EXPECT_TRUE(scene["bodies"][1]["mesh"].is_null());
@@ -61,7 +61,7 @@ TEST(SceneMessage, NamesMeshesByTheirContent) {
 TEST(SceneMessage, HasCloudsAsNumbers) {
   SmallModel model;
   MeshStore meshes;
-  const OrderedJson scene = scene_message(model.shape(), 0, "fit", meshes);
+  const OrderedJson scene = scene_message(model.shape(), 0, LiveMode::kFit, meshes);
   const std::string bytes = decoded(scene["clouds"][0]["segments"]);
   ASSERT_EQ(bytes.size(), 24U);
   EXPECT_EQ(number_at<float>(bytes, 12), 1.0F);

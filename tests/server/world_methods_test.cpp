@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "live/world/live_world.h"
+#include "questions/question.h"
 #include "report/answers/grasp.h"
 #include "report/picture/mesh_table.h"
 #include "server/methods/method_table.h"
@@ -385,6 +386,24 @@ TEST(WorldMethods, LeaveHiddenFilesOfADropOut) {
 }
 
 // Methods that leave files behind say so, or a log of a stranger would write them.
+// A job reads files and names. An edit between its start and its run is not seen by it, and it
+// changes nothing of the world.
+TEST(JobMethods, DoNotSeeTheLiveWorld) {
+  Client client("jobs");
+  client.session().jobs().defer();
+  (void)client.ask("world.load", {{"world", "jaw_box"}});
+  const Json request{{"world", "jaw_box"}};
+  const int job =
+      client.ask("job.start", {{"question", "grasp"}, {"request", request}})["job"].get<int>();
+  (void)client.ask("world.remove", {{"name", "table"}});
+  (void)client.ask("hand.grasp");
+  const OrderedJson world = client.ask("world.get");
+  (void)client.session().jobs().run_deferred(job, std::nullopt);
+  EXPECT_EQ(client.ask("world.get"), world);
+  const Answer alone = question_named("grasp").ask(request, kData, {});
+  EXPECT_EQ(client.ask("job.result", {{"job", job}})["answer"], alone.json(UnitSystem::kSi));
+}
+
 TEST(WorldMethods, ThoseThatWriteFilesAreMarked) {
   const MethodTable table = method_table();
   for (const RpcMethod& method : table.methods()) {

@@ -8,8 +8,8 @@
 #include "base/lists.h"
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
+#include "tests/tendons/net/sweep_net.h"
 
 namespace thenar {
 namespace {

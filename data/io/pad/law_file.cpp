@@ -186,10 +186,6 @@ std::string laws_text(const CalibratedLaws& laws, const std::string& source) {
   return out;
 }
 
-void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source) {
-  write_file(path, laws_text(laws, source));
-}
-
 std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad) {
   if (laws.pad_digest.empty() || laws.pad_digest == pad_digest(pad)) return "";
   return fmt::format(

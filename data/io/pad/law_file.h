@@ -19,10 +19,6 @@ namespace thenar {
 /// @throws InputError as check_laws(), or if the name or the source is empty.
 [[nodiscard]] std::string laws_text(const CalibratedLaws& laws, const std::string& source);
 
-/// Writes them; nothing half-written is ever left.
-/// @throws InputError as laws_text(), or if the file cannot be written.
-void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source);
-
 /// Returns a warning where laws carry the digest of other numbers than the pad's; "" if they fit,
 /// or if their file states no digest.
 [[nodiscard]] std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad);

@@ -13,13 +13,6 @@ double joint_value(const RobotJoint& joint, double u) {
   return joint.offset + (joint.ratio + bent) * u;
 }
 
-double joint_slope(const RobotJoint& joint, double u) {
-  double slope = 0;
-  for (std::size_t k = joint.curve.size(); k-- > 0;)
-    slope = (slope + static_cast<double>(k + 2) * joint.curve[k]) * u;
-  return joint.ratio + slope;
-}
-
 double joint_value(const RobotJoint& joint, const DofValues& dofs) {
   const auto found = joint.dof.empty() ? dofs.end() : dofs.find(joint.dof);
   return joint_value(joint, found == dofs.end() ? 0 : found->second);

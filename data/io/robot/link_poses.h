@@ -13,10 +13,9 @@ namespace thenar {
 /// Values of degrees of freedom by name [rad] or [m]; missing ones are 0.
 using DofValues = std::map<std::string, double>;
 
-/// Returns the value of a joint at value u of its degree of freedom, and its derivative:
+/// Returns the value of a joint at value u of its degree of freedom:
 ///   offset + ratio u + curve_0 u^2 + curve_1 u^3 + ..
 [[nodiscard]] double joint_value(const RobotJoint& joint, double u);
-[[nodiscard]] double joint_slope(const RobotJoint& joint, double u);
 
 /// Returns the value of a joint; an undriven joint is at its offset.
 [[nodiscard]] double joint_value(const RobotJoint& joint, const DofValues& dofs);

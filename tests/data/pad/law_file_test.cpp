@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/numbers.h"
 #include "tests/data/broken_files.h"
 #include "tests/message_of.h"
@@ -55,7 +56,7 @@ TEST(LawFile, NeedsNoDigestOfItsPad) {
 using LawFiles = TemporaryFolder;
 
 TEST_F(LawFiles, AreWrittenAndRead) {
-  write_laws(path("pad.toml"), some_laws(), "made up");
+  write_file(path("pad.toml"), laws_text(some_laws(), "made up"));
   EXPECT_EQ(read_laws(path("pad.toml")).name, "a pad");
   EXPECT_THROW((void)read_laws(path("none.toml")), DataError);
 }

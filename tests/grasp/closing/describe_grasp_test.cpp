@@ -25,7 +25,7 @@ TEST(DescribeGrasp, SaysThatTwoHardPointsLetTheObjectTurn) {
     const double c = std::cos(angle), s = std::sin(angle);
     grasp.contacts = {{{{-0.02, 0, 0}, {c, s, 0}, 0.5}, 0, 0},
                       {{{0.02, 0, 0}, {-c, s, 0}, 0.5}, 1, 0}};
-    return outcome_words(grasp);
+    return describe_outcome(grasp);
   };
   EXPECT_THAT(pressed(0), testing::HasSubstr("free to turn about the line through them"));
   EXPECT_EQ(pressed(0.7), "touched, not grasped: 2 contacts, no force closure");
@@ -37,7 +37,7 @@ TEST(DescribeGrasp, SaysHowDeepOverlapsAre) {
   Grasp grasp{};
   grasp.outcome = GraspOutcome::kOverlaps;
   grasp.closed.overlaps = {{"DP2", "table", 0.0032}};
-  EXPECT_EQ(outcome_words(grasp), "the hand begins in something: DP2 is 3.20 mm in table");
+  EXPECT_EQ(describe_outcome(grasp), "the hand begins in something: DP2 is 3.20 mm in table");
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ TEST(FacingDirection, FollowsTheSidesOfAJawAcrossItsSlide) {
 }
 
 TEST(WithoutRounding, TakesAnAxisForTheRoundedOneAlone) {
-  EXPECT_EQ(without_rounding(Vector3d(0, -1, 3e-6).normalized()), -Vector3d::UnitY());
-  EXPECT_EQ(without_rounding(near_z(0.01)), near_z(0.01));
+  EXPECT_EQ(snap_to_axis(Vector3d(0, -1, 3e-6).normalized()), -Vector3d::UnitY());
+  EXPECT_EQ(snap_to_axis(near_z(0.01)), near_z(0.01));
 }
 
 }  // namespace

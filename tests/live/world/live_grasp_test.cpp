@@ -97,6 +97,18 @@ TEST(LiveGrasp, OfASavedGraspHasTheQualityOfThePosture) {
   expect_same_epsilon(current_grasp(again, {}).grasp.quality, before);
 }
 
+// An edit replaces the state of the world; a setup keeps the hand as it was.
+TEST(LiveGrasp, SetupsStayAsTheyWere) {
+  const auto live = loaded_world("jaw_box");
+  const LivePairSetup setup = pair_setup(*live, {});
+  const HandPlacement before = live->state().hands[0].placement;
+  (void)grasp_object(*live, {}, 1);
+  new_world(*live);
+  EXPECT_EQ(setup.state_hand.placement.q, before.q);
+  EXPECT_EQ(setup.state_hand.placement.X_WH.p, before.X_WH.p);
+  EXPECT_EQ(setup.collision.hand, &setup.state_hand.built->model());
+}
+
 // ---- moving
 
 TEST(LiveGrasp, OpensTheHandAndNotItsArm) {

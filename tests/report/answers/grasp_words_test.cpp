@@ -56,10 +56,10 @@ TEST(GraspWords, NamesWhatStoppedACoordinate) {
 }
 
 TEST(GraspWords, CallRoundingZero) {
-  EXPECT_EQ(fmt::format("{}", without_rounding(-1.9e-14)), "0");
-  EXPECT_EQ(fmt::format("{}", without_rounding(-0.0)), "0");
-  EXPECT_EQ(without_rounding(-2e-9), -2e-9);
-  EXPECT_EQ(without_rounding(0.25), 0.25);
+  EXPECT_EQ(fmt::format("{}", epsilon_or_zero(-1.9e-14)), "0");
+  EXPECT_EQ(fmt::format("{}", epsilon_or_zero(-0.0)), "0");
+  EXPECT_EQ(epsilon_or_zero(-2e-9), -2e-9);
+  EXPECT_EQ(epsilon_or_zero(0.25), 0.25);
 }
 
 }  // namespace

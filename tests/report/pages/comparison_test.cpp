@@ -174,10 +174,10 @@ TEST(CompareWords, TellHowApproachesEndedTheMostFrequentFirst) {
   HandOnObject cell;
   cell.outcomes = {5, 0, 7, 0, 0, 1};
   cell.closures = 2;
-  EXPECT_EQ(outcome_words(cell),
+  EXPECT_EQ(describe_outcome(cell),
             "7 missed the object, 3 touched without force closure, 1 closed without touching");
   cell.between_two = 2;
-  EXPECT_EQ(outcome_words(cell),
+  EXPECT_EQ(describe_outcome(cell),
             "7 missed the object, 2 held between 2 hard points, 1 touched without force closure, 1 "
             "closed without touching");
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/spatial.h"
 #include "base/units.h"
+#include "tests/data/axes_from_dh.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -42,11 +42,5 @@ TEST(TrajectoryTable, TurnsNumbersToTheirUnits) {
   EXPECT_LT((table.values.row(1) - row).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-TEST(TrajectoryTable, WritesCommaSeparatedText) {
-  TrajectoryTable table{{"time_s", "x"}, Eigen::MatrixXd(2, 2)};
-  table.values << 0, -0.0, 0.005, 1.0 / 3;
-  EXPECT_EQ(as_csv(table), "time_s,x\n0,0\n0.005,0.333333333\n");
-}
-
 }  // namespace
 }  // namespace thenar

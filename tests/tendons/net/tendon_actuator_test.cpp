@@ -9,12 +9,11 @@
 
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/build_tendons.h"
 #include "tendons/net/digit_sweep.h"
-#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/net/sweep_net.h"
 
 namespace thenar {
 namespace {
@@ -114,7 +113,7 @@ TEST(TendonActuator, HasTheSlopesOfItsTorqueAndLengths) {
     const VectorXd t = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
     TendonActuator actuator(*tendons);
     const TendonAction action = actuator.act(q, t);
-    ASSERT_TRUE(trusted(action.status)) << net << ": " << action.warning;
+    ASSERT_TRUE(is_trusted(action.status)) << net << ": " << action.warning;
     ASSERT_TRUE(action.slopes);
     const Differences measured = differences(*tendons, q, t, actuator.nodes());
     const double size = action.K.cwiseAbs().maxCoeff();  // [N m/rad]
@@ -211,9 +210,9 @@ TEST(TendonActuator, SaysWhereANetDoesNotBalance) {
     const TendonAction& action = actuator.act(q, t);
     const DigitPoint point = sweep_digit(*tendons, {q}, t).front();
     EXPECT_EQ(action.status, point.pull.status);
-    EXPECT_EQ(trusted(action.status), point.rest.status == NetStatus::kBalanced);
+    EXPECT_EQ(is_trusted(action.status), point.rest.status == NetStatus::kBalanced);
     EXPECT_EQ(action.warning.empty(), action.status == TendonStatus::kValid);
-    if (!trusted(action.status)) ++refused;
+    if (!is_trusted(action.status)) ++refused;
     EXPECT_EQ(action.residual > 1, action.status == TendonStatus::kUnbalanced) << angle;  // [N]
   }
   EXPECT_GT(refused, 0);

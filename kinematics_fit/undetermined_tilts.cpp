@@ -1,4 +1,4 @@
-#include "kinematics_fit/axis_doubts.h"
+#include "kinematics_fit/undetermined_tilts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,20 +47,20 @@ Eigen::MatrixXd correlations(const FitProblem& problem, const Eigen::VectorXd& z
 
 }  // namespace
 
-AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
-                            const Covariance& covariance) {
+UndeterminedTilts find_undetermined_tilts(const FitProblem& problem, const Eigen::VectorXd& z,
+                                          const Covariance& covariance) {
   const FitCoordinates& coordinates = problem.coordinates();
   const std::vector<int> axes = entries_of_kind(coordinates, ParameterKind::kAxisDirection);
   const std::vector<int> cell = entries_of_kind(coordinates, ParameterKind::kSensorTilt);
   const std::vector<std::string> names = coordinates.names();
-  AxisDoubts out;
+  UndeterminedTilts out;
   for (int specimen = 0; specimen < static_cast<int>(problem.specimens().size()); ++specimen) {
     const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
     const auto entry = [&](int k) { return static_cast<std::size_t>(entries[k]); };
     // List tilts that keep their priors; count those of the population only once.
     for (const int k : axes) {
       if (specimen > 0 && k < coordinates.population_entries()) continue;
-      ++out.tilts;
+      ++out.tilt_count;
       const CoordinateEstimate& learnt = covariance.learnt[entry(k)];
       if (learnt.sd > kUndecidedShare) out.undecided.push_back(learnt);
     }
@@ -70,27 +70,28 @@ AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
     for (const int a : axes)
       for (const int b : cell)
         if (std::abs(correlation(a, b)) > kTradeCorrelation)
-          out.traded.push_back({names[entry(a)], names[entry(b)], correlation(a, b)});
+          out.correlated.push_back({names[entry(a)], names[entry(b)], correlation(a, b)});
   }
-  std::sort(out.traded.begin(), out.traded.end(), [](const TradedTilt& a, const TradedTilt& b) {
-    return std::abs(a.correlation) > std::abs(b.correlation);
-  });
+  std::sort(out.correlated.begin(), out.correlated.end(),
+            [](const CorrelatedTilts& a, const CorrelatedTilts& b) {
+              return std::abs(a.correlation) > std::abs(b.correlation);
+            });
   return out;
 }
 
-std::vector<std::string> describe(const AxisDoubts& doubts) {
+std::vector<std::string> describe(const UndeterminedTilts& tilts) {
   std::vector<std::string> warnings;
-  if (!doubts.undecided.empty()) {
+  if (!tilts.undecided.empty()) {
     std::vector<std::string> names;
-    for (const CoordinateEstimate& tilt : doubts.undecided) names.push_back(tilt.name);
+    for (const CoordinateEstimate& tilt : tilts.undecided) names.push_back(tilt.name);
     warnings.push_back(fmt::format(
         "{} of {} tilts of axes are not told by the forces, they keep more than {:.1f} of their "
         "prior sd: {}",
-        names.size(), doubts.tilts, kUndecidedShare, some_of(names)));
+        names.size(), tilts.tilt_count, kUndecidedShare, some_of(names)));
   }
-  if (!doubts.traded.empty()) {
+  if (!tilts.correlated.empty()) {
     std::vector<std::string> pairs;
-    for (const TradedTilt& pair : doubts.traded)
+    for (const CorrelatedTilts& pair : tilts.correlated)
       pairs.push_back(fmt::format("{} and {} ({:+.2f})", pair.axis, pair.cell, pair.correlation));
     warnings.push_back(fmt::format(
         "an axis and the load cell trade places where both may tilt as far as the settings say, "
