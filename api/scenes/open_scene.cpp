@@ -121,14 +121,14 @@ RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request
   SceneOptions& options = read.open.built.options;
   // Method, duration and tolerance.
   options.method = request.method.value_or(options.method);
-  options.seconds = request.seconds.value_or(options.seconds);
-  options.sample = request.sample.value_or(options.sample);
-  options.step = request.step.value_or(options.step);
+  options.duration = request.seconds.value_or(options.duration);
+  options.sample_interval = request.sample.value_or(options.sample_interval);
+  options.step_length = request.step.value_or(options.step_length);
   options.tolerance = request.tolerance.value_or(options.tolerance);
   require_field(request.sample ? "sample" : "seconds",
-                options.seconds / options.sample <= kMaxSceneSamples,
+                options.duration / options.sample_interval <= kMaxSceneSamples,
                 "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMaxSceneSamples,
-                options.seconds, options.sample);
+                options.duration, options.sample_interval);
   return read;
 }
 

@@ -164,7 +164,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
   if (limits.empty()) return;
   Eigen::MatrixXd table(static_cast<Eigen::Index>(limits.size()), 2);
   for (std::size_t i = 0; i < limits.size(); ++i)
-    table.row(static_cast<Eigen::Index>(i)) << limits[i].beyond, limits[i].slides ? 1 : 0;
+    table.row(static_cast<Eigen::Index>(i)) << limits[i].excess, limits[i].slides ? 1 : 0;
   file.add(group + "name/limit", transformed(limits, &PassedLimit::joint));
   file.add(group + "limit_beyond", table.col(0), "SI", {"limit"});
   file.add(group + "limit_slides", table.col(1), "1", {"limit"});
@@ -179,7 +179,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
   file.add(group + "steps", static_cast<double>(cost.steps), "1");
   file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
   if (has_contact_problems(scene)) file.add(group + "worst_residual", cost.worst_residual, "1");
-  file.add(group + "deepest", cost.deepest, "m");
+  file.add(group + "deepest", cost.max_penetration, "m");
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");
   add_account(scene, group, file);

@@ -86,7 +86,7 @@ TEST(MotionAccount, RefusesARunWhoseEnergyDoesNotBalance) {
 TEST(MotionAccount, WarnsOfJointsBeyondTheirLimits) {
   SceneResult scene = run_of("pinch", SteppingMethod::kTimeStepping);
   EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
-  scene.run.cost.beyond[0] = 0.25;
+  scene.run.cost.limit_excess[0] = 0.25;
   EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(HasSubstr("beyond its limit")));
   EXPECT_THAT(text_of(scene), HasSubstr("joint limits passed: "));
   EXPECT_EQ(json_of(scene)["limits_passed"].size(), 1U);

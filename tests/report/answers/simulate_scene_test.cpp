@@ -123,7 +123,7 @@ TEST(SceneAnswer, WarnsOfDeepPenetration) {
   request.seconds = 0.05;
   SceneResult scene = simulate_scene(request);
   EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
-  scene.run.cost.deepest = 2e-3;
+  scene.run.cost.max_penetration = 2e-3;
   EXPECT_THAT(scene_warnings(scene),
               testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));
 }
