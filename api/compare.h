@@ -52,7 +52,7 @@ struct CompareResult {
   std::vector<BodySpec> objects;  // unscaled
   std::map<std::string, std::string> inputs;  // everything the result depends on: "hand barrett" ->
                                               // its SHA-256 as it was read,
-                                              // "fcl" -> its version
+                                              // "thenar" -> its version
   FileDigests files;                          // digests of the files of all hands and objects
 };
 
