@@ -8,10 +8,10 @@
 
 #include "base/units.h"
 #include "bench/ratios.h"
-#include "geometry/collision/fcl_distance.h"
 #include "geometry/collision/signed_distance.h"
 #include "geometry/mesh_distance.h"
 #include "geometry/tessellate.h"
+#include "tests/geometry/collision/fcl_distance.h"
 
 namespace thenar::bench {
 namespace {

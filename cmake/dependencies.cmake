@@ -12,7 +12,9 @@ find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # OpenSSL::Crypto
 find_package(assimp 5.2 REQUIRED)             # assimp::assimp
 find_package(pugixml 1.12 REQUIRED)           # pugixml::pugixml
 find_package(urdfdom REQUIRED)                # its targets carry no version
-find_package(fcl 0.7 REQUIRED)                # fcl
+if(THENAR_TESTS OR THENAR_BENCH)
+  find_package(fcl 0.7 REQUIRED)              # fcl
+endif()
 find_package(Boost 1.74 REQUIRED)             # Boost::headers
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx>=2.7)       # PkgConfig::NLOPT
 pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp>=1.17)              # PkgConfig::CLP

@@ -78,7 +78,10 @@ class Jobs {
   /// Asks all jobs to stop, and waits for them; no other job starts.
   void stop_all();
   /// Makes new jobs wait for run_deferred(), as in a replay.
-  void defer() { deferred_ = true; }
+  void defer() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    deferred_ = true;
+  }
   /// Returns true if the request of a job names an output file.
   [[nodiscard]] bool writes_file(int id);
   /// Runs a waiting job on this thread. @param stopped_at  as EndedJob::stopped_at

@@ -145,7 +145,7 @@ FENCES = {
     r"(urdf_(parser|model)|console_bridge)/.*": ["data/io/robot/urdf.cpp"],
     r"pugixml\.hpp": ["data/io/graspit/", "data/io/robot/", "data/io/world/",
                       "data/io/foreign_mesh/collada_text.cpp", "tests/data/graspit/"],
-    r"fcl/.*": ["geometry/collision/fcl_distance.cpp", "bench/"],
+    r"fcl/.*": ["tests/geometry/collision/fcl_distance.cpp", "bench/"],
     r"(hdf5|H5).*": ["data/io/result_file.cpp", "data/io/hdf5_guard.cpp", "tests/data/"],
     r"netcdf.*\.h": ["data/io/inference_file.cpp", "tests/data/"],
     r"mpi\.h": ["sampling/run/mpi/"],

@@ -128,7 +128,7 @@ std::string live_hand_key(const WorldSpec& world, std::size_t hand,
   std::string key;
   const auto file_of = [&](const PlacedHand& placed) {
     return placed.file.empty()
-               ? robot_file(placed.name, data)
+               ? robot_file(placed.name, data).value_or("")
                : (std::filesystem::path(world.folder) / placed.file).lexically_normal().string();
   };
   // The number of steps is bounded because the carriers of an invalid world may form a cycle.

@@ -1,7 +1,6 @@
-// FCL and signed_distance() must agree on meshes that are apart:
-// geometry/collision/fcl_distance.cpp.
+// FCL and signed_distance() must agree on meshes that are apart.
 
-#include "geometry/collision/fcl_distance.h"
+#include "tests/geometry/collision/fcl_distance.h"
 
 #include <random>
 #include <vector>

@@ -22,6 +22,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+const Vector3d kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
+
 // Tendons that make the columns of A as tip forces, up to F0 each.
 TipStatics map_of(const MatrixXd& A, const VectorXd& F0) {
   return statics_from_matrix(A, Eigen::Matrix3Xd(3, 0), F0);

@@ -1,4 +1,4 @@
-#include "geometry/collision/fcl_distance.h"
+#include "tests/geometry/collision/fcl_distance.h"
 
 #include <algorithm>
 #include <vector>
