@@ -1,6 +1,10 @@
 #pragma once
 
 /// Closing of a hand in place in a world: what stops every joint, and what it holds.
+///
+///     CloseRequest request;
+///     request.world.world = "jaw_box";
+///     const CloseResult closed = close_in_world(request);
 
 #include "api/grasp.h"
 
@@ -8,13 +12,13 @@ namespace thenar {
 
 /// Options of close_in_world(): the hand that closes and the object that may be in it.
 struct CloseRequest {
-  WorldRequest world;
+  WorldRequest world;  // world, its hand and its object
 };
 
 /// Hand at the end of closing.
 struct CloseResult {
-  CloseRequest request;
-  Outcome outcome;    // outcome of the grasp
+  CloseRequest request;  // request that was answered
+  Outcome outcome;       // outcome of the grasp
   GraspResult grasp;  // grasp without an approach; grasp.closed says what stopped each coordinate
 };
 

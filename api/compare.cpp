@@ -101,7 +101,8 @@ std::vector<NamedHand> hands_of(const CompareRequest& request, const Progress& p
   std::vector<NamedHand> hands;
   for (const std::string& name : request.hands) {
     if (progress.stop()) break;
-    hands.push_back(hand_by_name(name, data_folders(request.data), human));
+    hands.push_back(
+        in_field("hands", [&] { return hand_by_name(name, data_folders(request.data), human); }));
   }
   return hands;
 }
@@ -110,7 +111,8 @@ std::vector<NamedHand> hands_of(const CompareRequest& request, const Progress& p
 std::vector<BodySpec> objects_of(const CompareRequest& request) {
   std::vector<BodySpec> objects;
   for (const std::string& name : request.objects)
-    objects.push_back(read_object(object_file(name, request.data)));
+    objects.push_back(
+        read_object(in_field("objects", [&] { return object_file(name, request.data); })));
   append_all(objects, request.own_objects);
   return objects;
 }
@@ -150,8 +152,7 @@ CompareOptions options_of(const CompareRequest& request, const Materials& materi
   options.seed = request.seed;
   options.normalise_size = request.normalise_size;
   options.materials = materials;
-  options.tasks.clear();
-  for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
+  options.tasks = request.tasks;
   return options;
 }
 
@@ -198,7 +199,7 @@ JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& o
   JsonNode inputs;
   inputs.set("hands", hands)
       .set("objects", request.objects)
-      .set("tasks", request.tasks)
+      .set("tasks", transformed(request.tasks, [](GraspTask task) { return name_of(task); }))
       .set("approaches", request.approaches)
       .set("best", request.best)
       .set("seed", request.seed)

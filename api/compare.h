@@ -2,6 +2,7 @@
 
 /// Comparison of hands on the same objects by the same approaches: hands and objects by name, with
 /// a file that stores completed pairs.
+/// Example: examples/13_own_object.cpp.
 
 #include <map>
 #include <optional>
@@ -19,6 +20,7 @@ namespace thenar {
 
 /// Options of a comparison: hands, objects, tasks, and the file of the result.
 struct CompareRequest {
+  // Hands, as hand_by_name() has them, and objects: names of objects/, or files.
   std::vector<std::string> hands{"human:orthogonal", "human:skewed", "human:soft",
                                  "human:tendons",    "barrett",      "dlr",
                                  "shadow",           "allegro",      "leap",
@@ -26,8 +28,7 @@ struct CompareRequest {
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
   std::vector<BodySpec> own_objects = {};  // further objects, see make_body()
-  std::vector<std::string> tasks{"force-closure",
-                                 "hold-weight"};  // tasks by name; also "pull", "turn"
+  std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};  // of each pair
   std::string data;          // folder with robots/ and objects/; empty: the usual ones
   int approaches = 20;       // approaches of each hand to each object
   int best = 3;              // grasps of each pair whose loads are computed
@@ -44,9 +45,9 @@ struct CompareRequest {
 
 /// Comparison with its hands and objects. If stopped, it contains the completed cells.
 struct CompareResult {
-  CompareRequest request;
-  Outcome outcome;  // done: pairs of a hand and an object
-  Comparison comparison;
+  CompareRequest request;         // request that was answered
+  Outcome outcome;                // done: pairs of a hand and an object
+  Comparison comparison;          // table of all pairs
   std::vector<NamedHand> hands;   // hands; human ones with finer meshes than for collisions
   std::vector<BodySpec> objects;  // unscaled
   std::map<std::string, std::string> inputs;  // everything the result depends on: "hand barrett" ->

@@ -129,9 +129,7 @@ std::vector<std::string> contact_warnings(const ContactFile& file) {
 }
 
 std::vector<Contact> contacts_of(const ContactFile& file) {
-  std::vector<Contact> contacts;
-  for (const FileContact& each : file.contacts) contacts.push_back(contact_of(each));
-  return contacts;
+  return transformed(file.contacts, contact_of);
 }
 
 }  // namespace thenar

@@ -20,7 +20,7 @@ namespace thenar {
 
 /// Options of explain(): a file or name, and the part of it to explain.
 struct ExplainRequest {
-  std::string thing;         // a file, or the name of something that comes with thenar
+  std::string thing;         // a file, or the name of something that comes with thenar; required
   std::string digit;         // digit of a subject; empty: its only one
   std::string settings;      // fit settings for a subject, file or name; empty: the built-in ones
   std::optional<Path> path;  // tendon paths of a subject; absent: default_path()
@@ -29,18 +29,18 @@ struct ExplainRequest {
 
 /// Cost of one question about a digit on this machine, in the middle of the joints' ranges.
 struct QuestionCost {
-  std::string question;
-  std::string rung;
-  double seconds;  // median wall time of a call, one thread [s]
+  std::string question;  // "tip force, pinned"
+  std::string rung;      // model that answers it: "static"
+  double seconds;        // median wall time of a call, one thread [s]
 };
 
 /// One digit of a subject, built and measured.
 struct DigitExplained {
-  std::string digit;
+  std::string digit;                            // name of the digit
   std::shared_ptr<const DigitTendons> tendons;  // null where nothing but tip maps are known
   DigitExplanation parts;                       // kept and dropped
-  std::vector<QuestionCost> costs;
-  std::string settings;          // path of the fit settings
+  std::vector<QuestionCost> costs;              // cost of each question on each rung
+  std::string settings;                         // path of the fit settings
   std::string settings_message;  // why the settings do not fit the digit; empty: they do
   FitParameters parameters;      // parameters under these settings, or with all fixed
 };
@@ -54,10 +54,10 @@ struct FitExplained {
 
 /// Thing with its explanation.
 struct ThingExplained {
-  ExplainRequest request;
-  Outcome outcome;
-  std::string path;
-  Thing thing;
+  ExplainRequest request;               // request that was answered
+  Outcome outcome;                      // warnings: a result without a checksum
+  std::string path;                     // path of the file
+  Thing thing;                          // content of the file
   std::optional<DigitExplained> digit;  // present for a subject
   std::optional<FitExplained> fit;      // present for a fit
 };

@@ -17,7 +17,7 @@ namespace {
 
 ForceAxes force_axes(const DigitAtPosture& at, DirectionFrame frame) {
   if (!at.map.empty()) {
-    require_field("axes", frame == DirectionFrame::kWorld,
+    require_field("frame", frame == DirectionFrame::kWorld,
                   "tip map '{}' knows only its own x, y, z, got axes of the tip", at.map);
     return {"map", {"x", "y", "z"}, Eigen::Matrix3d::Identity()};
   }
@@ -27,8 +27,8 @@ ForceAxes force_axes(const DigitAtPosture& at, DirectionFrame frame) {
 
 void require_limits(const TipStatics& statics, const std::string& subject) {
   const std::vector<std::string> unknown = unlimited_muscles(statics);
-  require(
-      unknown.empty(),
+  require_field(
+      "subject", unknown.empty(),
       "feasible forces need the largest force of every muscle; unknown: {}. Give each [[muscle]] "
       "max_force_N, or pcsa_cm2 and specific_tension_N_cm2, in {}",
       listed(unknown), subject);
@@ -44,14 +44,15 @@ struct HeldJoints {
 /// Returns the options of the tip load at one posture, in the axes of the request.
 TipLoadOptions options_of(const FeasibleForceRequest& request, const HeldJoints& held,
                           const ForceAxes& axes) {
-  return {request.load,  request.tolerance, request.most_other,
+  return {request.load,  request.tolerance, request.max_other,
           axes.to_world, /*prices=*/true,   held.stops};
 }
 
 /// A map knows moments about some axes only: the others are not zero but unknown.
 void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& at) {
-  if (at.map.empty() || (request.load == TipLoad::kForce && request.most_other == 0)) return;
-  require(has_rotation(at.statics), "tip map '{}' of '{}' has no moments", at.map, at.subject);
+  if (at.map.empty() || (request.load == TipLoad::kForce && request.max_other == 0)) return;
+  require_field(request.load == TipLoad::kForce ? "moments" : "load", has_rotation(at.statics),
+                "tip map '{}' of '{}' has no moments", at.map, at.subject);
   // A row of zeros in W marks an axis about which the map was not measured.
   const Eigen::VectorXd known = at.statics.W.cwiseAbs().rowwise().sum();
   if (request.load == TipLoad::kForce) return;
@@ -59,10 +60,11 @@ void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& 
   // three.
   const Eigen::Vector3d wanted = request.direction.value_or(Eigen::Vector3d::Ones());
   for (int k = 0; k < 3; ++k)
-    require(known(k) > 0 || (wanted(k) == 0 && !request.whole_set && request.tolerance == 0),
-            "tip map '{}' of '{}' has no row t{}: it knows moments about{}{}{} alone", at.map,
-            at.subject, "xyz"[k], known(0) > 0 ? " x" : "", known(1) > 0 ? " y" : "",
-            known(2) > 0 ? " z" : "");
+    require_field("direction",
+                  known(k) > 0 || (wanted(k) == 0 && !request.whole_set && request.tolerance == 0),
+                  "tip map '{}' of '{}' has no row t{}: it knows moments about{}{}{} alone", at.map,
+                  at.subject, "xyz"[k], known(0) > 0 ? " x" : "", known(1) > 0 ? " y" : "",
+                  known(2) > 0 ? " z" : "");
 }
 
 /// Derivative of the largest load by each joint; empty unless there is such a load of bones.
@@ -114,12 +116,14 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
   std::vector<std::string> wanted = request.without, beside;
   // A weak muscle keeps some of its tension; a paralysed one has none.
   for (const auto& [name, limit] : request.weakened) {
-    require(limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name, limit);
+    require_field("weakened", limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name,
+                  limit);
     wanted.push_back(name);
   }
   const std::vector<std::string>& own = answer.muscles;
   for (const std::string& name : wanted) {
-    (void)index_of_name(name, known, "muscle");
+    (void)index_of_name(name, known, "muscle",
+                        contains(request.without, name) ? "without" : "weakened");
     if (!contains(own, name)) beside.push_back(name);
   }
   if (!beside.empty())
@@ -182,13 +186,14 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
   const bool held_wrist = request.wrist == WristLoad::kHeld;
   // A held wrist resists any torque, so it is not part of the balance.
   if (held_wrist && request.stops.empty()) return held;
-  require(digit.map.empty(), "tip map '{}' knows no joints: it has neither a wrist nor stops",
-          digit.map);
+  require_field(held_wrist ? "stops" : "wrist", digit.map.empty(),
+                "tip map '{}' knows no joints: it has neither a wrist nor stops", digit.map);
   // Add each stop as a one-sided reaction; its sign selects the end of the range.
   const std::vector<std::string>& joints = digit.bones().names.coordinates;
   for (const auto& [joint, most] : request.stops) {
-    const std::size_t i = index_of_name(joint, joints, "free joint");
-    require(std::abs(most) > 0, "wanted a torque of the stop of '{}', got {} N m", joint, most);
+    const std::size_t i = index_of_name(joint, joints, "free joint", "stops");
+    require_field("stops", std::abs(most) > 0, "wanted a torque of the stop of '{}', got {} N m",
+                  joint, most);
     held.stops.push_back({static_cast<int>(i), most});
   }
   if (held_wrist) return held;
@@ -197,9 +202,9 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
     const auto found = std::find(joints.begin(), joints.end(), joint);
     if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
   }
-  require(!held.wrist.empty(),
-          "subject '{}' has no wrist joint: no free joint is shared by its digits",
-          digit.subject.name);
+  require_field("wrist", !held.wrist.empty(),
+                "subject '{}' has no wrist joint: no free joint is shared by its digits",
+                digit.subject.name);
   // Muscles of other digits that cross the wrist would need a balance at joints outside of this
   // model.
   held.others = muscles_of_others(digit);
@@ -300,8 +305,9 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
   const TipLoadOptions options = options_of(request, held, point.axes);
   if (request.direction) {
     // Solve the linear program for the largest load in the requested direction.
-    const MaxTipLoad found =
-        max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
+    const MaxTipLoad found = in_field("direction", [&] {
+      return max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
+    });
     point.largest = found.largest;
     point.other = found.other;
     point.stops = stop_answers(held, at, found);
@@ -319,12 +325,13 @@ double no_tip_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce 
 FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
                                            const Progress& progress) {
   // Refuse settings that no load could satisfy.
-  require(request.tolerance >= 0 && request.tolerance < kPi / 2,
-          "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
-          request.tolerance / kDegree);
-  require(request.most_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
-          request.load == TipLoad::kForce ? "moments" : "forces",
-          request.load == TipLoad::kForce ? "N m" : "N", request.most_other);
+  require_field("tolerance", request.tolerance >= 0 && request.tolerance < kPi / 2,
+                "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
+                request.tolerance / kDegree);
+  require_field(request.load == TipLoad::kForce ? "moments" : "forces", request.max_other >= 0,
+                "wanted {} of at least 0 {}, got {:.6g}",
+                request.load == TipLoad::kForce ? "moments" : "forces",
+                request.load == TipLoad::kForce ? "N m" : "N", request.max_other);
   // A held wrist is welded, which takes its joints out of the posture as well.
   DigitRequest asked = request.digit;
   asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;
@@ -336,7 +343,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
   keep_weak_muscles(request, digit.subject, answer);
   const bool weak = !answer.without.empty() || !answer.weakened.empty();
 
-  const auto ask = [&](const Eigen::VectorXd& q) {
+  const auto compute = [&](const Eigen::VectorXd& q) {
     DigitAtPosture intact = with_wrist(digit_at(digit, q), held, request.wrist);
     warn_of_stops(held, digit, intact);
     require_limits(intact.statics, request.digit.subject);
@@ -354,7 +361,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, failure_recorder(answer.points), progress);
+  compute_postures(answer, compute, failure_recorder(answer.points), progress);
   return answer;
 }
 

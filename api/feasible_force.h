@@ -2,6 +2,7 @@
 
 /// The largest force or moment of a fingertip along a direction, which muscles limit it, and all
 /// forces or moments that the tip can make.
+/// Example: examples/04_feasible_force.cpp.
 
 #include <array>
 #include <map>
@@ -38,9 +39,9 @@ inline constexpr std::array kDirectionFrameNames{EnumName{DirectionFrame::kWorld
 /// Options of a question for feasible forces: a digit, and a direction, the whole set, or both.
 /// Forces and moments are those of the tip on the world, moments about the tip.
 struct FeasibleForceRequest {
-  DigitRequest digit;
+  DigitRequest digit;              // subject, digit and postures
   TipLoad load = TipLoad::kForce;  // requested load: force or moment
-  double most_other = 0;           // bound on each component of the other load in `frame`; 0: none;
+  double max_other = 0;            // bound on each component of the other load in `frame`; 0: none;
                                    // infinite: a rigid hold [N m] or [N]
   std::optional<Eigen::Vector3d> direction;       // any length; absent: the set
   double tolerance = 0;                           // half angle of the cone about it [rad]
@@ -48,9 +49,9 @@ struct FeasibleForceRequest {
   bool whole_set = false;                         // the set in addition to a direction
   std::vector<std::string> without;               // muscles that are paralysed: they do not pull
   std::map<std::string, double> weakened;  // muscle -> its largest tension, if less than its F0 [N]
-  WristLoad wrist = WristLoad::kHeld;
-  std::map<std::string, double> stops;  // joint at the end of its range -> the largest torque of
-                                        // its ligaments, positive flexes; may be infinite [N m]
+  WristLoad wrist = WristLoad::kHeld;      // load of the tip on the wrist
+  std::map<std::string, double> stops;     // joint at the end of its range -> the largest torque of
+                                           // its ligaments, positive flexes; may be infinite [N m]
 };
 
 /// Axes of the requested direction and of the reported forces.
@@ -63,7 +64,7 @@ struct ForceAxes {
 /// All forces, and the largest force along each axis. If moments are requested, all numbers that
 /// are stated in [N] are moments [N m].
 struct WholeForceSet {
-  FeasibleForceSet set;
+  FeasibleForceSet set;            // all forces or moments that the tip can make
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
@@ -76,7 +77,7 @@ struct ParalysisLoss {
 
 /// Torque of the ligaments at a joint at the end of its range.
 struct StopTorque {
-  std::string joint;
+  std::string joint;  // name of the joint
   double torque;      // positive flexes [N m]
   double max_torque;  // largest torque, with the same sign; may be infinite [N m]
   double price;       // marginal value of `max_torque`: rise of the force [N/(N m)] or moment [1]
@@ -107,11 +108,11 @@ struct FeasibleForcePoint {
 
 /// Results posture by posture, in the order of the grid; fewer if stopped.
 struct FeasibleForceResult : DigitResult {
-  FeasibleForceRequest request;
+  FeasibleForceRequest request;            // request that was answered
   Eigen::VectorXd max_tension;             // F0 [N] (muscles); 0 of those that are paralysed
   std::vector<std::string> without;        // muscles of the digit that are paralysed
   std::map<std::string, double> weakened;  // weak muscles, and the largest tension of each [N]
-  std::vector<FeasibleForcePoint> points;
+  std::vector<FeasibleForcePoint> points;  // one result for each posture
 };
 
 /// Loads below these are reported as zero: they are rounding errors.
@@ -126,7 +127,7 @@ inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 /// muscles of other digits cross it too, but are left out, as the joints of those digits would have
 /// to be in balance with them; a warning names them.
 /// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
-/// [0, pi/2) rad, a negative `most_other`, muscles of unknown strength, axes of the tip of a map,
+/// [0, pi/2) rad, a negative `max_other`, muscles of unknown strength, axes of the tip of a map,
 /// moments that a map does not know, a wrist that is not held where no joint is shared, or a stop
 /// of no free joint or without torque; DataError for a wrong file.
 [[nodiscard]] FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,

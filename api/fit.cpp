@@ -183,11 +183,9 @@ LeaveOut leave_out_named(const std::string& name) {
   return value_in(kLeaveOutNames, name, "part to leave out");
 }
 
-std::string experiment_file(const std::string& name_or_path, const std::string& data) {
-  std::string file =
-      named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data));
-  require_kind(file, {"experiment"});
-  return file;
+std::string experiment_file(const std::string& name_or_path, const std::string& data,
+                            const char* field) {
+  return requested_file(field, "experiment", name_or_path, "experiments", data);
 }
 
 SourceText fit_settings_source(const std::string& settings, const std::string& digit,
@@ -198,10 +196,11 @@ SourceText fit_settings_source(const std::string& settings, const std::string& d
 }
 
 void require_fit_path(const std::optional<Path>& path) {
-  require(!path || *path == Path::kViaPoint,
-          "the force model of a fit runs tendons straight between via points, as its kernel does "
-          "not wrap: wanted paths 'via', got '{}'",
-          path ? name_of(*path) : "");
+  require_field(
+      "path", !path || *path == Path::kViaPoint,
+      "the force model of a fit runs tendons straight between via points, as its kernel does "
+      "not wrap: wanted paths 'via', got '{}'",
+      path ? name_of(*path) : "");
 }
 
 std::vector<std::string> path_cautions(const FitInputs& inputs) {
@@ -215,7 +214,7 @@ std::vector<std::string> path_cautions(const FitInputs& inputs) {
 
 FitInputs read_fit_inputs(const FitSources& sources) {
   require_fit_path(sources.path);
-  require(!sources.experiments.empty(), "a fit needs at least one experiment");
+  require_field("experiments", !sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
   // Store subject and settings as text, so that the fit can be repeated without the files.
   inputs.subject = subject_source(sources.subject, sources.data);
@@ -226,7 +225,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   inputs.settings = fit_settings_source(
       sources.settings, parse_experiment(first.text, first.path).digit, sources.data);
   inputs.also_free = sources.also_free;
-  inputs.scaling = scaling_named(sources.scale);
+  inputs.scaling = sources.scale;
   if (!sources.net.empty())
     inputs.net =
         read_source(named_file("net", sources.net, "nets", ".toml", data_folders(sources.data)));

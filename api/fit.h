@@ -1,6 +1,7 @@
 #pragma once
 
 /// Fit of a digit's parameters to measured fingertip forces.
+/// Example: examples/07_fit.cpp, examples/14_fit_and_posterior.cpp.
 
 #include <optional>
 #include <string>
@@ -19,22 +20,22 @@ namespace thenar {
 
 /// Inputs of a fit, by name or file.
 struct FitSources {
-  std::vector<std::string> experiments;  // files, or names of experiments/
-  std::string subject;   // subject that the fit starts from: a file, or a name of subjects/
+  std::vector<std::string> experiments;  // files, or names of experiments/; at least one
+  std::string subject;   // subject that the fit starts from: file, or name of subjects/; required
   std::string settings;  // file, or name of fits/; empty: the digit's built-in ones
   std::vector<std::string> also_free;  // globs of further free parameters
   std::string net = {};                // file, or name of nets/, of the extensor mechanism in
                                        // place of the subject's hood; empty: none
-  std::string scale = "subject";       // sizes of the digit: the subject's own, or of "outside"
+  Scaling scale = Scaling::kSubject;   // sizes of the digit of each specimen
   std::string data;                    // folder with subjects/ ..; empty: the usual ones
   std::optional<Path> path = {};       // tendon paths, see require_fit_path()
 };
 
 struct FitRequest {
-  FitSources sources;
-  LeastSquaresMethod method = LeastSquaresMethod::kCeres;
-  unsigned seed = 1;                // seed of a global search
-  int max_evaluations = 0;          // 0: the method's own limit [1]
+  FitSources sources;                                      // data and model of the fit
+  LeastSquaresMethod method = LeastSquaresMethod::kCeres;  // optimiser
+  unsigned seed = 1;                                       // seed of a global search
+  int max_evaluations = 0;                                 // 0: the method's own limit [1]
   std::vector<LeaveOut> leave_out;  // trial groups that are also predicted by fits without them
   bool choose_settings = false;     // choose settings by left-out data, in each fold too
   std::string output;               // result file (.h5), written before anything is left out; or ""
@@ -44,16 +45,16 @@ struct FitRequest {
 /// Fit with the fractions of the subject's hood instead of a net, otherwise like the main fit.
 /// Settings are chosen separately where they are chosen at all.
 struct FractionsFit {
-  Fit fit;
+  Fit fit;                                // parameters and their covariance
   std::vector<Prediction> in_sample;      // see FitResult
   std::vector<CrossValidation> left_out;  // see FitResult
 };
 
 struct FitResult {
-  FitRequest request;
+  FitRequest request;  // request that was answered
   Outcome outcome;  // stopped: the fit is the best point so far. Warnings: of the experiments, the
                     // subject, misfits that are beyond chance, and estimates beyond 3 prior sds
-  Fit fit;
+  Fit fit;          // parameters and their covariance
   std::vector<Prediction> in_sample;      // predictions of each experiment, by its specimen's own
                                           // parameters, with predictive sds
   std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
@@ -96,9 +97,11 @@ void require_fit_path(const std::optional<Path>& path);
 /// anything else.
 [[nodiscard]] LeaveOut leave_out_named(const std::string& name);
 
-/// Returns the file of an experiment given by its file or its name. @throws InputError listing the
-/// searched folders.
-[[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
+/// Returns the file of an experiment given by its file or its name.
+/// @param field  field of the request, which errors name
+/// @throws InputError listing the searched folders.
+[[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data,
+                                          const char* field = "experiments");
 
 /// Returns predictions of the experiments of a fit in their order, with predictive sds.
 [[nodiscard]] std::vector<Prediction> predict_own(const Fit& fit);

@@ -31,19 +31,20 @@ double seconds_of(const GraspRequest& request) {
 }
 
 void check_request(const GraspRequest& request) {
-  require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
-          request.tolerance);
-  require(request.approach_distance > 0, "wanted an approach distance above 0 m, got {}",
-          request.approach_distance);
-  require(request.starts >= 0, "wanted 0 or more random starts, got {}", request.starts);
-  require(request.robustness.draws >= 0, "wanted 0 or more draws of robustness, got {}",
-          request.robustness.draws);
+  require_field("tolerance", request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
+                request.tolerance);
+  require_field("approach_distance", request.approach_distance > 0,
+                "wanted an approach distance above 0 m, got {}", request.approach_distance);
+  require_field("starts", request.starts >= 0, "wanted 0 or more random starts, got {}",
+                request.starts);
+  require_field("robustness", request.robustness.draws >= 0,
+                "wanted 0 or more draws of robustness, got {}", request.robustness.draws);
   // Zero edges mean exact cones; a pyramid has at least three.
-  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
-          "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
-          request.edges);
-  require(request.approach || request.starts == 0,
-          "random starts are clear of the object: they want the approach");
+  require_field("edges", request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
+                "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
+                request.edges);
+  require_field("approach", request.approach || request.starts == 0,
+                "random starts are clear of the object: they want the approach");
 }
 
 /// The world and its hand, which of random starts may be any hand.
@@ -52,9 +53,10 @@ WorldCase open_setting(const GraspRequest& request, const Progress& progress) {
       !request.world.hand.empty() && request.starts > 0 && !has_hand(request.world);
   WorldCase setting = open_world(request.world, from_elsewhere, progress);
   const NamedHand& hand = setting.hand.named;
-  require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
-  require(setting.hand.parts.size() <= 1 || request.starts == 0,
-          "hand '{}' is mounted: it cannot start anywhere", hand.name);
+  require_field("hand", !hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch",
+                hand.name);
+  require_field("starts", setting.hand.parts.size() <= 1 || request.starts == 0,
+                "hand '{}' is mounted: it cannot start anywhere", hand.name);
   return setting;
 }
 
@@ -146,10 +148,11 @@ TriedStart own_or_off(const GraspResult& result, const Pregrasp& own) {
 }
 
 /// Counts a start, and keeps its grasp if it is the best so far.
-void note(GraspResult& result, Grasp grasp, int number, const Pregrasp& start) {
+/// @param number  of a random start; absent: the world's own
+void note(GraspResult& result, Grasp grasp, std::optional<int> number, const Pregrasp& start) {
   ++result.outcomes[static_cast<std::size_t>(grasp.outcome)];
   result.closures += grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure ? 1 : 0;
-  if (number > 0 && !is_better(grasp, result.grasp)) return;
+  if (number.value_or(0) > 0 && !is_better(grasp, result.grasp)) return;
   result.grasp = std::move(grasp);
   result.best = number;
   result.start = start;
@@ -164,7 +167,7 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     const bool goes = request.approach && hand.parts.size() <= 1;  // an arm's foot does not fly
     const Pregrasp own{hand.X_WH, hand.q, goes ? request.approach_distance : 0};
     TriedStart tried = goes ? own_or_off(result, own) : TriedStart{own, grasp_from(result, own)};
-    note(result, std::move(tried.grasp), -1, tried.start);
+    note(result, std::move(tried.grasp), {}, tried.start);
   }
   // Otherwise try random starts, at least one of them even where progress says stop, and keep the
   // best.
@@ -323,7 +326,7 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
     warnings.push_back(torques);
   if (const std::string own = describe_self_overlaps(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
-  if (result.best < 0 && result.start.stand_off > 0)
+  if (!result.best && result.start.stand_off > 0)
     warnings.push_back(fmt::format(
         "with the palm on the object fingertips did not hold it: the hand moved back before it "
         "closed, by {:.0f} % of the way to where its tips still close beyond the object's centre",

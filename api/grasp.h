@@ -1,6 +1,7 @@
 #pragma once
 
 /// The grasp of an object by a hand of a world: closing, contacts, quality, loads, robustness.
+/// Example: examples/09_grasp.cpp.
 
 #include <array>
 #include <optional>
@@ -37,8 +38,8 @@ struct GraspRequest {
   ForceNorm limit = ForceNorm::kL1;  // norm that limits contact forces in epsilon and volume
   double tolerance = 1e-3;           // largest difference of epsilon's certified bounds [1]
   int edges = 0;                     // edges of friction pyramids, 3 .. 100; 0: cones
-  RobustnessRequest robustness;
-  bool wrench_meshes = false;  // include the wrench set as meshes in answers
+  RobustnessRequest robustness;      // repeated grasps with random perturbations; default: none
+  bool wrench_meshes = false;        // include the wrench set as meshes in answers
 };
 
 /// Robustness of a grasp under uncertain contacts, and under an uncertain pose of the object.
@@ -49,16 +50,16 @@ struct GraspRobustness {
 
 /// Best grasp of all starts, with its measures.
 struct GraspResult {
-  GraspRequest request;
-  Outcome outcome;                            // done: starts; stopped also while it measures
-  WorldCase setting;                          // the world, its hand and its scene
-  CollisionHand collision_hand;               // collision model of the hand of `setting`
-  Grasp grasp;                                // the best of all starts
-  WrenchSet wrenches;                         // wrenches of its contacts, cones or pyramids
-  std::array<int, 6> outcomes{};              // number of starts by GraspOutcome
-  int closures = 0;                           // starts that ended in force closure
-  int best = -1;                              // start of the best grasp; -1: none was drawn
-  Pregrasp start;                             // pregrasp from which the best grasp started
+  GraspRequest request;           // request that was answered
+  Outcome outcome;                // done: starts; stopped also while it measures
+  WorldCase setting;              // the world, its hand and its scene
+  CollisionHand collision_hand;   // collision model of the hand of `setting`
+  Grasp grasp;                    // the best of all starts
+  WrenchSet wrenches;             // wrenches of its contacts, cones or pyramids
+  std::array<int, 6> outcomes{};  // number of starts by GraspOutcome
+  int closures = 0;               // starts that ended in force closure
+  std::optional<int> best;        // random start of the best grasp; absent: the world's own start
+  Pregrasp start;                 // pregrasp from which the best grasp started
   std::optional<GraspMeasures> measures;      // absent: no grasp, or stopped before
   std::optional<GraspRobustness> robustness;  // absent: not requested, or stopped before
   double cpu = 0;                             // processor time, measures included [s]

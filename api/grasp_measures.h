@@ -18,8 +18,8 @@ struct GraspResult;
 /// A measure, or a message that says why there is none.
 template <typename Value>
 struct Measured {
-  std::optional<Value> value;
-  std::string message;  // why there is no value, or a remark on the value
+  std::optional<Value> value;  // absent: see message
+  std::string message;         // why there is no value, or a remark on the value
 };
 
 /// A load that a grasp supports.

@@ -2,6 +2,11 @@
 
 /// Robots, worlds, objects and meshes of any format: their content, and conversion to other
 /// formats.
+///
+///     ImportRequest request;
+///     request.file = "gripper.urdf";
+///     const Imported gripper = import_file(request);
+///     write_imported(gripper, "gripper.toml");
 
 #include <optional>
 #include <string>
@@ -18,7 +23,7 @@ namespace thenar {
 
 /// Options of an import: a file, and facts that the file does not state.
 struct ImportRequest {
-  std::string file;               // a robot, world, object or mesh
+  std::string file;               // a robot, world, object or mesh; required
   bool repair = false;            // repair meshes, also those of bodies
   double scale = 1;               // length of one unit of a mesh file [m]
   std::string units;              // unit of a mesh, instead of `scale`: "m", "cm", "mm", "in"
@@ -30,12 +35,12 @@ struct ImportRequest {
 
 /// Result of an import.
 struct Imported {
-  ImportRequest request;
-  Outcome outcome;   // warnings: all, also those of a robot
-  std::string kind;  // "URDF", "GraspIt! body", "mesh"
-  std::variant<RobotSpec, BodySpec, WorldSpec, MeshContent> thing;
-  std::optional<MeshFacts> mesh;  // facts of a mesh
-  std::optional<BodySpec> body;   // mesh as an object, where its mass or material is stated
+  ImportRequest request;  // request that was answered
+  Outcome outcome;        // warnings: all, also those of a robot
+  std::string kind;       // "URDF", "GraspIt! body", "mesh"
+  std::variant<RobotSpec, BodySpec, WorldSpec, MeshContent> thing;  // content of the file
+  std::optional<MeshFacts> mesh;                                    // facts of a mesh
+  std::optional<BodySpec> body;  // mesh as an object, where its mass or material is stated
 };
 
 /// Reads a file of any format.

@@ -50,10 +50,11 @@ MomentArmResult compute_moment_arms(const DigitRequest& request, const Progress&
 MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& progress) {
   // Moment arms are properties of paths over bones: maps have no paths, and arms of a net change
   // with its tensions.
-  require(digit.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms",
-          digit.digit, digit.subject.name, digit.map);
-  require(digit.net == nullptr,
-          "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
+  require_field("digit", digit.map.empty(),
+                "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms", digit.digit,
+                digit.subject.name, digit.map);
+  require_field("hood", digit.net == nullptr,
+                "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
   MomentArmResult answer{begin_digit_result(digit), {}, {}, {}};
   // Excursions count from the reference posture, so measure the tendon lengths there once.
   const DigitTendons& tendons = *digit.tendons;
@@ -61,7 +62,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
   const Eigen::VectorXd start =
       lengths_at(tendons, answer.reference, arms_at(tendons, answer.reference));
 
-  const auto ask = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
+  const auto compute = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
     const TendonTorque pull = arms_at(tendons, q);
     require(is_trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
     answer.points.push_back(point_at(tendons, q, pull));
@@ -70,7 +71,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
     return tendons.digit().fidelity.path == Path::kFitted ? std::vector<std::string>{}
                                                           : collapse_warnings(tendons, q);
   };
-  ask_postures(answer, ask, failure_recorder(answer.points), progress);
+  compute_postures(answer, compute, failure_recorder(answer.points), progress);
 
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);

@@ -1,6 +1,7 @@
 #pragma once
 
 /// Moment arms and length changes of the tendons of a digit, without any tension.
+/// Example: examples/02_moment_arms.cpp.
 
 #include <string>
 #include <vector>

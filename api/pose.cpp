@@ -1,6 +1,7 @@
 #include "api/pose.h"
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,12 +18,13 @@
 namespace thenar {
 namespace {
 
-/// Returns the file of the robot given by a name or a file; empty: a subject instead of a robot.
-std::string robot_meant(const PoseRequest& request) {
+/// Returns the file of the robot given by a name or a file; absent: the model is a subject.
+std::optional<std::string> robot_of(const PoseRequest& request) {
   if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
   require_kind(request.model, {"subject", "robot"});
-  if (std::filesystem::path(request.model).extension() != ".toml") return request.model;
-  return find_file_kind(request.model) == FileKind::kRobot ? request.model : "";
+  const bool subject = std::filesystem::path(request.model).extension() == ".toml" &&
+                       find_file_kind(request.model) != FileKind::kRobot;
+  return subject ? std::nullopt : std::optional(request.model);
 }
 
 std::vector<JointPose> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
@@ -85,14 +87,16 @@ TipPose tip_now(const Skeleton& skeleton, const TreeState<double>& state, const 
 
 SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) {
   // Maps alone have no joints to pose.
-  const SourceText source = subject_source(request.model, request.data);
+  const SourceText source = subject_source(request.model, request.data, "model");
   const Subject subject = parse_subject(source.text, source.path);
-  require(!subject.joints.empty(),
-          "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
-          "tip-force or feasible-force",
-          subject.name);
-  const Skeleton skeleton =
-      build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
+  require_field(
+      "model", !subject.joints.empty(),
+      "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
+      "tip-force or feasible-force",
+      subject.name);
+  const Skeleton skeleton = in_field("digits", [&] {
+    return build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
+  });
   SubjectPoses poses;
   // Pose every posture of the grid, in the order in which the angles vary.
   poses.request = request;
@@ -120,12 +124,13 @@ SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton, const Eige
   return pose;
 }
 
-PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress) {
-  const std::string robot = robot_meant(request);
-  if (robot.empty()) return pose_subject(request, progress);
-  require(request.digits.empty() && request.frozen.empty(),
-          "digits and frozen joints are for subjects, '{}' is a robot", robot);
-  return pose_robot(import_robot(robot), request, progress);
+PoseResult compute_poses(const PoseRequest& request, const Progress& progress) {
+  const std::optional<std::string> robot = in_field("model", [&] { return robot_of(request); });
+  if (!robot) return pose_subject(request, progress);
+  require_field(request.frozen.empty() ? "digits" : "frozen",
+                request.digits.empty() && request.frozen.empty(),
+                "digits and frozen joints are for subjects, '{}' is a robot", *robot);
+  return pose_robot(import_robot(*robot), request, progress);
 }
 
 }  // namespace thenar

@@ -11,7 +11,7 @@ namespace thenar {
 
 /// Options of a question for poses: a model and its postures.
 struct PoseRequest {
-  std::string model;                // a subject or a robot: its name, or its file
+  std::string model;                // a subject or a robot: its name, or its file; required
   std::string data;                 // folder with subjects/, robots/ ..; empty: the usual ones
   std::vector<std::string> digits;  // digits of a subject to keep; empty: all
   PostureRequest posture;           // joints that are not named are at 0

@@ -152,9 +152,10 @@ PosteriorResult open_posterior(const std::string& path) {
 }
 
 PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
-  require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_field("experiments", !request.experiments.empty(),
+                "wanted at least one experiment to predict");
   require_fit_path(request.path);
-  require_kind(request.posterior, {"posterior"});
+  in_field("posterior", [&] { require_kind(request.posterior, {"posterior"}); });
   PosteriorPrediction out{request, {}, {}, opened(request.posterior)};
   const PosteriorRun& run = out.posterior.run;
   const FitProblem& problem = run.posterior->problem();

@@ -1,6 +1,7 @@
 #pragma once
 
 /// Draws from the posterior: all parameters that priors and measured forces allow.
+/// Example: examples/10_posterior.cpp, examples/14_fit_and_posterior.cpp.
 
 #include <optional>
 #include <string>
@@ -16,10 +17,10 @@
 namespace thenar {
 
 struct SampleRequest {
-  FitSources sources;
-  SamplingMethod method = SamplingMethod::kNuts;
-  unsigned seed = 1;
-  int chains = 4;       // independent chains, or ensembles [1]
+  FitSources sources;                             // data and model, as of a fit
+  SamplingMethod method = SamplingMethod::kNuts;  // sampler
+  unsigned seed = 1;                              // seed of the chains
+  int chains = 4;                                 // independent chains, or ensembles [1]
   int walkers = 0;      // chains of one ensemble; 0: as the sampler needs [1]
   long warm_up = 1000;  // adaptation steps, which are discarded [1]
   long draws = 0;       // draws of each chain; 0: 1000 steps in all, which are doubled up to
@@ -67,8 +68,8 @@ struct PosteriorResult {
 [[nodiscard]] PosteriorResult open_posterior(const std::string& path);
 
 struct PosteriorPredictRequest {
-  std::string posterior;                 // file of sample_fit() (.nc)
-  std::vector<std::string> experiments;  // files, or names of experiments/
+  std::string posterior;                 // file of sample_fit() (.nc); required
+  std::vector<std::string> experiments;  // files, or names of experiments/; at least one
   bool population = false;               // predict a fitted specimen as if it had never been seen
   long draws = 2000;                     // draws to predict with [1]
   std::string data;                      // folder with experiments/; empty: the usual ones
@@ -77,10 +78,10 @@ struct PosteriorPredictRequest {
 
 /// Predictions of posterior draws, with the posterior.
 struct PosteriorPrediction {
-  PosteriorPredictRequest request;
-  Outcome outcome;            // stalled: the chains have not converged
-  PredictResult predicted;    // means of the draws
-  PosteriorResult posterior;  // posterior without a summary
+  PosteriorPredictRequest request;  // request that was answered
+  Outcome outcome;                  // stalled: the chains have not converged
+  PredictResult predicted;          // means of the draws
+  PosteriorResult posterior;        // posterior without a summary
 };
 
 /// Predicts every experiment by draws, and compares with the measurements.

@@ -81,9 +81,10 @@ void add_predictions(const FitProblem& problem, const PredictSpecimen& predict,
 }
 
 PredictResult predict_forces(const PredictRequest& request) {
-  require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_field("experiments", !request.experiments.empty(),
+                "wanted at least one experiment to predict");
   require_fit_path(request.path);
-  require_kind(request.fit, {"fit"});
+  in_field("fit", [&] { require_kind(request.fit, {"fit"}); });
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);
   const auto predict = [&](const Experiment& experiment, int specimen) {

@@ -1,6 +1,11 @@
 #pragma once
 
 /// Forces that a fit predicts, also for specimens that were not fitted.
+///
+///     PredictRequest request;
+///     request.fit = "fit.h5";
+///     request.experiments = {"synek2019_B01"};
+///     const PredictResult predicted = predict_forces(request);
 
 #include <functional>
 #include <optional>
@@ -24,8 +29,8 @@ enum class PredictedBy {
 };
 
 struct PredictRequest {
-  std::string fit;                       // result of a fit (.h5)
-  std::vector<std::string> experiments;  // files, or names of experiments/
+  std::string fit;                       // result of a fit (.h5); required
+  std::vector<std::string> experiments;  // files, or names of experiments/; at least one
   bool population = false;               // predict a fitted specimen as if it had not been fitted
   std::string data;                      // folder with experiments/; empty: the usual ones
   std::optional<Path> path = {};         // tendon paths, see require_fit_path()
@@ -33,9 +38,9 @@ struct PredictRequest {
 
 /// One experiment with its prediction.
 struct PredictedExperiment {
-  Experiment experiment;
-  Prediction prediction;  // prediction with predictive sds
-  PredictedBy by = PredictedBy::kStranger;
+  Experiment experiment;                    // experiment as its file states it
+  Prediction prediction;                    // prediction with predictive sds
+  PredictedBy by = PredictedBy::kStranger;  // parameters that predict it
 };
 
 struct PredictResult {
@@ -45,7 +50,7 @@ struct PredictResult {
   RunRecord fitted_by;              // the run that wrote the file; empty in older files
   Fidelity fidelity;                // fidelity of the digit
   std::vector<SourceText> sources;  // texts of the experiments
-  std::vector<PredictedExperiment> experiments;
+  std::vector<PredictedExperiment> experiments;  // predictions, as requested
 };
 
 /// Predicts every experiment by a fit, and compares with the measurements.

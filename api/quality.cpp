@@ -228,18 +228,19 @@ ContactFile read_contacts(const ContactQualityRequest& request) {
 }  // namespace
 
 void require_valid(const ContactQualityRequest& request) {
-  require(request.gap > 0, "wanted a gap above 0, got {}", request.gap);
-  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxPyramidEdges),
-          "wanted pyramids of 3 to {} edges, got {}", kMaxPyramidEdges, request.edges);
-  require(request.edges > 0 || request.first_edge == 0,
-          "a first edge is of pyramids: say how many edges they have{}", "");
+  require_field("gap", request.gap > 0, "wanted a gap above 0, got {}", request.gap);
+  require_field("edges",
+                request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxPyramidEdges),
+                "wanted pyramids of 3 to {} edges, got {}", kMaxPyramidEdges, request.edges);
+  require_field("first_edge", request.edges > 0 || request.first_edge == 0,
+                "a first edge is of pyramids: say how many edges they have{}", "");
 }
 
 ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require_valid(request);
-  const ContactFile file = read_contacts(request);
-  require(!file.planar || request.edges == 0, "pyramids are of cones in space, not in a {}",
-          "plane");
+  const ContactFile file = in_field("contacts", [&] { return read_contacts(request); });
+  require_field("edges", !file.planar || request.edges == 0,
+                "pyramids are of cones in space, not in a {}", "plane");
   ContactQualityResult found;
   // Record the request and the inputs.
   found.request = request;

@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double kSameTip = 1e-6;  // Largest distance of a tip from its place in the file [m]
-constexpr double kMostAngle = 10;  // Largest angle of a joint [rad]
-constexpr double kNoPull = 1e-6;   // Largest tension that rounding made negative [N]
+constexpr double kMaxRecordedAngle = 10;  // Largest angle of a joint [rad]
+constexpr double kNoPull = 1e-6;          // Largest tension that rounding made negative [N]
 
 // Rungs of the two ladders
 constexpr std::array kPathRungs{Path::kConstant, Path::kViaPoint, Path::kFitted, Path::kWrapped};
@@ -160,8 +160,8 @@ class MotionReader {
     out_.work = table("work", count, 1);
     out_.dissipated = table("lost", count, 1);
     // Refuse values that no digit has, which a damaged file may hold.
-    if ((out_.angle.array().abs() > kMostAngle).any())
-      fail(fmt::format("'angle': wanted up to {} rad", kMostAngle));
+    if ((out_.angle.array().abs() > kMaxRecordedAngle).any())
+      fail(fmt::format("'angle': wanted up to {} rad", kMaxRecordedAngle));
     if ((out_.tension.array() < -kNoPull).any() || (out_.tension.array() > kMaxTension).any())
       fail(fmt::format("'tension': wanted 0 to {} N", kMaxTension));
     out_.tension = out_.tension.cwiseMax(0);

@@ -1,6 +1,8 @@
 #pragma once
 
 /// Reader of recorded motions of digits.
+///
+///     const RecordedDigit run = read_motion("motion.h5");
 
 #include <memory>
 #include <string>
@@ -15,8 +17,8 @@ namespace thenar {
 
 /// Motion written by write_motion(), with its rebuilt digit.
 struct RecordedDigit {
-  Subject subject;
-  std::string digit;
+  Subject subject;                              // subject of the recorded text
+  std::string digit;                            // name of the digit
   std::shared_ptr<const DigitTendons> tendons;  // never null
   Eigen::VectorXd time;                         // instants, at least one, rising [s] (instants)
   Eigen::MatrixXd angle;                        // [rad] (instants, joints)
@@ -26,7 +28,7 @@ struct RecordedDigit {
   Eigen::VectorXd energy;      // energy of motion, weights, springs and stops [J] (instants)
   Eigen::VectorXd work;        // work of the tendons on the joints [J] (instants)
   Eigen::VectorXd dissipated;  // energy dissipated by the dampers of the joints [J] (instants)
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;  // doubts about the record
 };
 
 /// Reads a motion. Its digit is built from the texts in the file, on the rungs that it states; in

@@ -26,20 +26,36 @@ double drive_unit(bool sliding, PostureUnit unit) {
   return sliding ? kMm : kDegree;
 }
 
-/// Returns true if the degree of freedom or joint of a name slides; false for unknown names.
+/// Returns the moving joint of a name.
+/// @param field  field of the request that has the name
+/// @throws InputError listing the degrees of freedom and moving joints
+const RobotJoint& moving_joint(const RobotSpec& robot, const std::string& name, const char* field) {
+  std::vector<std::string> known = names_of(robot.dofs);
+  for (const RobotJoint& joint : robot.joints) {
+    if (joint.kind == RobotJointKind::kFixed) continue;
+    known.push_back(joint.name);
+    if (joint.name == name) return joint;
+  }
+  throw InputError(
+      fmt::format("robot '{}' has no degree of freedom or moving joint '{}'{} it has {}",
+                  robot.name, name, hint_before_list(name, known), listed(known)),
+      field);
+}
+
+/// Returns true if the degree of freedom or joint of a name slides. @throws as moving_joint()
 bool drive_slides(const RobotSpec& robot, const std::string& name) {
   if (const RobotDof* dof = find_named(robot.dofs, name)) return slides(robot, *dof);
-  return any_of(robot.joints,
-                [&](const RobotJoint& joint) { return joint.name == name && slides(joint); });
+  return slides(moving_joint(robot, name, "vary"));
 }
 
 /// Values by names of degrees of freedom and joints, in the unit of the request.
 std::map<std::string, double> values_of(const RobotSpec& robot, const PostureRequest& posture) {
   if (posture.in_order.empty()) return posture.named;
   const std::vector<std::string> names = names_of(robot.dofs);
-  require(posture.in_order.size() == names.size(), "wanted {} values [{}], of {}, got {}",
-          names.size(), posture.unit == PostureUnit::kTyped ? "deg or mm" : "rad or m",
-          listed(names), posture.in_order.size());
+  require_field("posture", posture.in_order.size() == names.size(),
+                "wanted {} values [{}], of {}, got {}", names.size(),
+                posture.unit == PostureUnit::kTyped ? "deg or mm" : "rad or m", listed(names),
+                posture.in_order.size());
   std::map<std::string, double> values;
   for (std::size_t i = 0; i < names.size(); ++i) values[names[i]] = posture.in_order[i];
   return values;
@@ -56,9 +72,10 @@ double motor_of(const RobotJoint& joint, const RobotDof& dof, double value) {
     const double middle = (a + b) / 2;
     ((joint_value(joint, middle) < value) == rises ? a : b) = middle;
   }
-  require(std::abs(joint_value(joint, a) - value) < 1e-6,
-          "joint '{}' does not come to {:.6g} (rad or m) along the curve on which it follows '{}'",
-          joint.name, value, dof.name);
+  require_field(
+      "posture", std::abs(joint_value(joint, a) - value) < 1e-6,
+      "joint '{}' does not come to {:.6g} (rad or m) along the curve on which it follows '{}'",
+      joint.name, value, dof.name);
   return a;
 }
 
@@ -84,15 +101,8 @@ class RobotPosture {
       move(*dof, value * drive_unit(slides(robot_, *dof), unit_));
       return;
     }
-    std::vector<std::string> known = names_of(robot_.dofs);
-    for (const RobotJoint& joint : robot_.joints) {
-      if (joint.kind == RobotJointKind::kFixed) continue;
-      known.push_back(joint.name);
-      if (joint.name == name) return set(joint, value * drive_unit(slides(joint), unit_));
-    }
-    throw InputError(
-        fmt::format("robot '{}' has no degree of freedom or moving joint '{}'{} it has {}",
-                    robot_.name, name, hint_before_list(name, known), listed(known)));
+    const RobotJoint& joint = moving_joint(robot_, name, "posture");
+    set(joint, value * drive_unit(slides(joint), unit_));
   }
 
   void set(const RobotJoint& joint, double value) {
@@ -105,10 +115,11 @@ class RobotPosture {
 
   void move(const RobotDof& dof, double value) {
     const auto [at, is_new] = dofs_.emplace(dof.name, value);
-    require(is_new || std::abs(at->second - value) < kSameValue,
-            "'{}' cannot be at {:.6g} and at {:.6g} (rad or m) at once: joints of one motor move "
-            "together",
-            dof.name, at->second, value);
+    require_field(
+        "posture", is_new || std::abs(at->second - value) < kSameValue,
+        "'{}' cannot be at {:.6g} and at {:.6g} (rad or m) at once: joints of one motor move "
+        "together",
+        dof.name, at->second, value);
   }
 
   const RobotSpec& robot_;
@@ -186,7 +197,8 @@ std::vector<std::map<std::string, double>> value_grid(const std::map<std::string
   std::vector<std::map<std::string, double>> grid{values};
   for (const Vary& each : vary) {
     const std::vector<double> steps = steps_of(each, "");
-    require(grid.size() * steps.size() <= kMaxPostures, "more than {} postures", kMaxPostures);
+    require_field("vary", grid.size() * steps.size() <= kMaxPostures, "more than {} postures",
+                  kMaxPostures);
     std::vector<std::map<std::string, double>> wider;
     for (const auto& before : grid)
       for (const double step : steps) {
@@ -211,7 +223,7 @@ RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
   poses.files = robot.files;
   for (const Vary& each : vary) {
     for (const VariedDrive& before : poses.varied)
-      require(before.name != each.joint, "'{}' varies twice", each.joint);
+      require_field("vary", before.name != each.joint, "'{}' varies twice", each.joint);
     poses.varied.push_back({each.joint, drive_slides(robot, each.joint)});
   }
   const auto grid = value_grid(values_of(robot, posture), vary);

@@ -1,6 +1,8 @@
 #pragma once
 
 /// Poses of the joints, links and tips of a robot.
+///
+///     const RobotPoses poses = pose_robot(import_robot("gripper.urdf"), {});
 
 #include <string>
 #include <vector>
@@ -14,9 +16,9 @@ namespace thenar {
 
 /// Moving joint at one posture.
 struct RobotJointPose {
-  std::string name;
-  std::string dof;  // degree of freedom that drives it; empty: none
-  bool slides = false;
+  std::string name;       // as in the robot's file
+  std::string dof;        // degree of freedom that drives it; empty: none
+  bool slides = false;    // true: lengths in m; false: angles in rad
   double value = 0;       // [rad] or [m]
   Eigen::Vector3d axis;   // unit, in the base link (3)
   Eigen::Vector3d point;  // point on the axis, in the base link [m] (3)
@@ -24,15 +26,15 @@ struct RobotJointPose {
 
 /// Link at one posture.
 struct RobotLinkPose {
-  std::string name;
+  std::string name;   // as in the robot's file
   int parent;         // index of its parent link; -1: none
   Pose<double> X_BL;  // pose of its frame in the base link
 };
 
 /// Tip at one posture.
 struct RobotTipPose {
-  std::string digit;
-  std::string link;
+  std::string digit;  // name of the digit
+  std::string link;   // name of the link that ends in it
   Eigen::Vector3d p;  // position in the base link [m] (3)
 };
 
@@ -40,26 +42,26 @@ struct RobotTipPose {
 struct RobotPose {
   std::vector<double> varied;          // values of the varied coordinates [rad] or [m]
   std::vector<RobotJointPose> joints;  // joints that move
-  std::vector<RobotLinkPose> links;
-  std::vector<RobotTipPose> tips;
-  std::vector<std::string> warnings;  // values outside limits
+  std::vector<RobotLinkPose> links;    // all links
+  std::vector<RobotTipPose> tips;      // tips of all digits
+  std::vector<std::string> warnings;   // values outside limits
 };
 
 /// Degree of freedom or joint that varies.
 struct VariedDrive {
-  std::string name;
-  bool slides = false;
+  std::string name;     // as in the robot's file
+  bool slides = false;  // true: lengths in m; false: angles in rad
 };
 
 /// Poses of a robot, posture by posture; fewer if stopped.
 struct RobotPoses {
-  PoseRequest request;
-  Outcome outcome;  // warnings: values outside limits at any posture
-  std::string robot;
+  PoseRequest request;              // request that was answered
+  Outcome outcome;                  // warnings: values outside limits at any posture
+  std::string robot;                // name of the robot
   std::vector<VariedDrive> varied;  // the last one varies fastest; empty: one posture
-  std::size_t row = 1;  // number of postures in a row, which differ in the last one only
-  std::vector<RobotPose> points;
-  FileDigests files = {};  // digests of the robot's files
+  std::size_t row = 1;            // number of postures in a row, which differ in the last one only
+  std::vector<RobotPose> points;  // one pose for each posture
+  FileDigests files = {};         // digests of the robot's files
 };
 
 /// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); where no

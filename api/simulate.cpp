@@ -24,12 +24,12 @@ namespace {
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   // Names must be muscles of the subject, lengths positive.
   const std::vector<std::string> names = names_of(subject.muscles);
-  (void)in_order(slack, names, "muscle");  // refuses unknown names
+  (void)in_order(slack, names, "muscle", "tendon_slack");  // refuses unknown names
   for (MuscleUnit& muscle : subject.muscles) {
     const auto found = slack.find(muscle.name);
     if (found == slack.end()) continue;
-    require(found->second > 0, "wanted a slack length > 0 of '{}', got {} mm", muscle.name,
-            found->second / kMm);
+    require_field("tendon_slack", found->second > 0, "wanted a slack length > 0 of '{}', got {} mm",
+                  muscle.name, found->second / kMm);
     muscle.tendon_slack = found->second;
   }
 }
@@ -38,16 +38,17 @@ void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
 Excitation excitation_of(const DigitMotionRequest& request, const std::vector<std::string>& muscles,
                          std::vector<SourceText>& sources) {
   // One kind of input, and at least something that moves the digit.
-  require(request.excitation.empty() || request.excitation_file.empty(),
-          "wanted excitations of muscles or a file of them, got both");
-  require(
+  require_field("excitation_file", request.excitation.empty() || request.excitation_file.empty(),
+                "wanted excitations of muscles or a file of them, got both");
+  require_field(
+      "excitation",
       !request.excitation.empty() || !request.excitation_file.empty() || !request.gravity.isZero(0),
       "wanted what moves the digit: excitations of muscles, a file of them, or gravity");
   for (const auto& [muscle, value] : request.excitation)
-    require(value >= 0 && value <= 1, "wanted excitations from 0 to 1, got {} of '{}'", value,
-            muscle);
+    require_field("excitation", value >= 0 && value <= 1,
+                  "wanted excitations from 0 to 1, got {} of '{}'", value, muscle);
   if (request.excitation_file.empty())
-    return constant_excitation(in_order(request.excitation, muscles, "muscle"));
+    return constant_excitation(in_order(request.excitation, muscles, "muscle", "excitation"));
   sources.push_back(read_source(request.excitation_file));
   return parse_excitation(sources.back().text, request.excitation_file, muscles);
 }
@@ -116,10 +117,11 @@ Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
   if (request.muscle) return *request.muscle;
   const std::string without = muscle_without_fibre(subject, digit);
   if (without.empty()) return Muscle::kRigidTendon;
-  require(request.tendon_slack.empty(),
-          "slack lengths of tendons are those of fibres: subject '{}' states no 'fibre_length_mm' "
-          "of '{}'",
-          subject.name, without);
+  require_field(
+      "tendon_slack", request.tendon_slack.empty(),
+      "slack lengths of tendons are those of fibres: subject '{}' states no 'fibre_length_mm' "
+      "of '{}'",
+      subject.name, without);
   warnings.push_back(
       fmt::format("muscles pull by their bounds alone, whatever their length and speed, as subject "
                   "'{}' states no 'fibre_length_mm' of '{}'",
@@ -143,16 +145,17 @@ DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progre
                 request.damping);
   // The digit at its start.
   DigitCase at = build_digit(request.digit, Hood::kFractions);
-  require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
-          at.digit, at.subject.name, at.map);
+  require_field("digit", at.map.empty(),
+                "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move", at.digit,
+                at.subject.name, at.map);
   set_slack(request.tendon_slack, at.subject);
   DigitMotionResult motion{request, {},         at.subject.name, at.digit,  at.tendons,
                            {},      at.sources, at.rungs,        at.passive};
   motion.outcome.warn(at.warnings);
   const TendonDigit& digit = at.bones();
   const std::vector<std::string>& muscles = digit.names.muscles;
-  require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
-          motion.subject);
+  require_field("digit", !muscles.empty(),
+                "no muscle of subject '{}' crosses a free joint of this digit", motion.subject);
   const MotionStart start{at.grid.postures.front(),
                           {},
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};

@@ -1,6 +1,7 @@
 #pragma once
 
 /// Motion of one digit whose muscles are excited.
+/// Example: examples/06_motion.cpp.
 
 #include <map>
 #include <memory>
@@ -38,11 +39,11 @@ struct DigitMotionRequest {
 
 /// A digit in motion.
 struct [[nodiscard]] DigitMotionResult {
-  DigitMotionRequest request;
+  DigitMotionRequest request;  // request that was answered
   Outcome outcome;             // stalled or limit: do not use it, see trajectory.status
   std::string subject, digit;  // names
-  std::shared_ptr<const DigitTendons> tendons;  // simulated digit; never null
-  Trajectory trajectory;
+  std::shared_ptr<const DigitTendons> tendons;   // simulated digit; never null
+  Trajectory trajectory;                         // angles, speeds, tensions and energies over time
   std::vector<SourceText> sources;               // subject, net, excitation file
   TendonOptions rungs{};                         // options by which `tendons` were built
   PassiveMoments passive = PassiveMoments::kOn;  // requested setting

@@ -49,7 +49,8 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
 /// Reads the three files, and records them in the result.
 InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) {
   // Files.
-  const SourceText forces = read_source(experiment_file(request.experiment, request.data)),
+  const SourceText forces =
+                       read_source(experiment_file(request.experiment, request.data, "experiment")),
                    person = subject_source(request.subject, request.data),
                    bands = net_source(request.net);
   const Experiment experiment = parse_experiment(forces.text, forces.path);
@@ -232,8 +233,9 @@ std::vector<std::string> parameter_globs(const std::string& word) {
   if (word == "slack") return {"net/*/slack"};
   if (word == "stiffness") return {"net/*stiffness"};
   if (word == "paths") return {"path/*", "net/*/radial"};
-  require(word.find('/') != std::string::npos,
-          "free must be slack, paths, stiffness, or a glob on names of parameters, got '{}'", word);
+  require_field("free", word.find('/') != std::string::npos,
+                "free must be slack, paths, stiffness, or a glob on names of parameters, got '{}'",
+                word);
   return {word};
 }
 
@@ -245,8 +247,9 @@ InferNetResult infer_net(const InferNetRequest& request, const Progress& progres
   if (!request.free.empty()) {
     infer_free(request, progress, answer);
   } else {
-    require(request.bands.empty() && request.settings.empty(),
-            "bands in question and settings are of an inference that frees something");
+    require_field(request.bands.empty() ? "settings" : "bands",
+                  request.bands.empty() && request.settings.empty(),
+                  "bands in question and settings are of an inference that frees something");
     const InferenceCase at = read_case(request, answer);
     if (request.method == InferMethod::kSparse)
       infer_by_selection(at, request.propose, progress, answer);

@@ -2,6 +2,11 @@
 
 /// Inference of an extensor net from measured fingertip forces: bands that the forces require,
 /// exclude or leave open, and the best next measurements.
+///
+///     InferNetRequest request;
+///     request.experiment = "synek2019_H01";
+///     request.subject = "synek2019_middle";
+///     const InferNetResult bands = infer_net(request);
 
 #include <array>
 #include <optional>
@@ -35,16 +40,16 @@ inline constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sp
 
 /// Options of an inference: the forces, the subject and the candidate bands.
 struct InferNetRequest {
-  std::string experiment;       // a file, or the name of one of experiments/
-  std::string subject;          // a file, or the name of one of subjects/
+  std::string experiment;       // a file, or the name of one of experiments/; required
+  std::string subject;          // a file, or the name of one of subjects/; required
   std::string data;             // folder with subjects/ ..; empty: the usual ones
   std::string net = "winslow";  // net of all candidate bands: name or file
   std::optional<Path> path;     // tendon paths outside of the net; absent: default_path()
-  InferMethod method = InferMethod::kSparse;
+  InferMethod method = InferMethod::kSparse;  // search for bands
   unsigned seed = 1;  // seed of kExplore, and of draws and sampled sets with `free`
   int propose = 3;    // largest number of proposed tests
   // Further free parameters besides those that the settings of a fit free: "slack", "paths",
-  // "stiffness", or globs on names of parameters as in `thenar fit --free`. If not empty, bands get
+  // "stiffness", or globs on names of parameters as FitSources::also_free. If not empty, bands get
   // probabilities by band_posterior(); `method` must be kSparse and `path` absent.
   std::vector<std::string> free = {};
   std::string settings = {};  // settings for `free`: file, or name of fits/; empty: the digit's
@@ -73,19 +78,19 @@ struct FreeInference {
   std::string settings;            // path of the settings
   int parameters = 0;              // free parameters with all bands
   int numbers = 0;                 // measured force components
-  BandPosterior posterior;
-  std::vector<RankedTrial> next;  // most informative first, at most `propose`
-  double next_mean = 0;           // mean information of the trials of the pool [bit]
-  std::size_t pool = 0;           // ranked trials
+  BandPosterior posterior;         // probabilities of bands
+  std::vector<RankedTrial> next;   // most informative first, at most `propose`
+  double next_mean = 0;            // mean information of the trials of the pool [bit]
+  std::size_t pool = 0;            // ranked trials
 };
 
 /// Result of an inference.
 struct [[nodiscard]] InferNetResult {
-  InferNetRequest request;
-  Outcome outcome;  // stopped: verdicts of the nets tried so far; stalled: no net was found
-  std::string experiment, subject, net;  // names
-  Fidelity fidelity;                     // fidelity of the digit
-  InferredNet inferred;
+  InferNetRequest request;  // request that was answered
+  Outcome outcome;          // stopped: verdicts of the nets tried so far; stalled: no net was found
+  std::string experiment, subject, net;    // names
+  Fidelity fidelity;                       // fidelity of the digit
+  InferredNet inferred;                    // verdict on each band; not if parameters are free
   std::vector<BandEnds> ends;              // end nodes of each of inferred.verdicts
   std::vector<ProposedTest> next;          // most informative first
   std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search

@@ -13,8 +13,9 @@ namespace {
 /// Builds the digit, whose warnings begin those of an outcome.
 LoadedDigit loaded_digit(const TendonRequest& request, Outcome& outcome) {
   DigitCase at = build_digit(request.digit, Hood::kFloatingNet);
-  require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
-          at.digit, at.subject.name, at.map);
+  require_field("digit", at.map.empty(),
+                "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force", at.digit,
+                at.subject.name, at.map);
   const Eigen::VectorXd t = tensions(at, request.tension);
   outcome.warn(at.warnings);
   outcome.warn(overload_warnings(at.bones().names.muscles, at.bones().max_tension, t));
@@ -28,8 +29,8 @@ const NetTendons* LoadedDigit::net() const {
 }
 
 TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& progress) {
-  require(request.digit.vary.empty(), "wanted one posture, got {} joints that vary",
-          request.digit.vary.size());
+  require_field("vary", request.digit.vary.empty(), "wanted one posture, got {} joints that vary",
+                request.digit.vary.size());
   TendonSolveResult out;
   out.request = request;
   // Solve at one posture; the net starts from the straight finger.

@@ -2,6 +2,7 @@
 
 /// Effects of given tendon tensions on one digit: every band of its extensor hood, joint torques,
 /// and the force of its tip; at one posture, or over a grid of postures.
+/// Example: examples/05_extensor_net.cpp.
 
 #include <map>
 #include <memory>
@@ -25,7 +26,7 @@ struct TendonRequest {
 
 /// A digit under tensions, with its postures.
 struct LoadedDigit {
-  std::string subject, digit;
+  std::string subject, digit;                   // names
   std::shared_ptr<const DigitTendons> tendons;  // never null
   Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
   PostureGrid grid;                             // requested postures
@@ -38,17 +39,17 @@ struct LoadedDigit {
 
 /// Result at one posture.
 struct [[nodiscard]] TendonSolveResult {
-  TendonRequest request;
-  Outcome outcome;  // stalled: do not use it, see point.pull.status
-  LoadedDigit loaded;
-  DigitPoint point;
+  TendonRequest request;  // request that was answered
+  Outcome outcome;        // stalled: do not use it, see point.pull.status
+  LoadedDigit loaded;     // digit with its tensions
+  DigitPoint point;       // balance at the posture
 };
 
 /// Results at a grid of postures, each equal to that of solve_tendons().
 struct [[nodiscard]] TendonSweepResult {
-  TendonRequest request;
-  Outcome outcome;  // stalled: at least one point must not be used
-  LoadedDigit loaded;
+  TendonRequest request;           // request that was answered
+  Outcome outcome;                 // stalled: at least one point must not be used
+  LoadedDigit loaded;              // digit with its tensions
   std::vector<DigitPoint> points;  // points in the order of loaded.grid.postures; fewer if stopped
 };
 

@@ -50,7 +50,7 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
       digit.map.empty() ? digit.bones().max_tension : digit_at(digit, {}).statics.max_tension;
   answer.outcome.warn(overload_warnings(answer.muscles, limits, answer.tension));
 
-  const auto ask = [&](const Eigen::VectorXd& q) {
+  const auto compute = [&](const Eigen::VectorXd& q) {
     // Solve J' f = R' t + tau_0 at each posture, with moments if the hold is rigid.
     const DigitAtPosture at = digit_at(digit, q);
     TipForcePoint point;
@@ -64,7 +64,7 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, failure_recorder(answer.points), progress);
+  compute_postures(answer, compute, failure_recorder(answer.points), progress);
   return answer;
 }
 

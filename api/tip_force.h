@@ -1,6 +1,7 @@
 #pragma once
 
 /// The force of a fingertip under given tendon tensions.
+/// Example: examples/03_tip_force.cpp, examples/11_own_finger.cpp.
 
 #include <map>
 #include <optional>
@@ -17,9 +18,9 @@ namespace thenar {
 
 /// Options of a tip force: a digit and the tensions of its tendons.
 struct TipForceRequest {
-  DigitRequest digit;
-  std::map<std::string, double> tension;  // tension of each muscle [N]; others are slack
-  TipConstraint hold = TipConstraint::kPinned;
+  DigitRequest digit;                           // subject, digit and postures
+  std::map<std::string, double> tension;        // tension of each muscle [N]; others are slack
+  TipConstraint hold = TipConstraint::kPinned;  // motion of the tip that is prevented
   double hold_length =
       TipWrenchOptions().length;  // length that weights moments of a rigid hold [m]
 };
@@ -45,9 +46,9 @@ struct TipForcePoint {
 
 /// Results posture by posture, in the order of the grid; fewer if stopped.
 struct TipForceResult : DigitResult {
-  TipForceRequest request;
-  Eigen::VectorXd tension;  // tension of each muscle [N] (muscles)
-  std::vector<TipForcePoint> points;
+  TipForceRequest request;            // request that was answered
+  Eigen::VectorXd tension;            // tension of each muscle [N] (muscles)
+  std::vector<TipForcePoint> points;  // one result for each posture
 };
 
 /// Computes the static force of a fingertip: tip_force() or tip_wrench() at every posture.

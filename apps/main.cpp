@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/kind_commands.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/cache.h"
@@ -67,8 +68,8 @@ std::string sentence_of(const CLI::App& app, const Error& error) {
   std::string option = "--" + error.field();
   std::replace(option.begin(), option.end(), '_', '-');
   if (error.field().empty() || named_command(app).get_option_no_throw(option) == nullptr)
-    return error.what();
-  return fmt::format("{} ({})", error.what(), option);
+    return text_with_commands(error);
+  return fmt::format("{} ({})", text_with_commands(error), option);
 }
 
 /// Shows no default value where it is empty.

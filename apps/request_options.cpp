@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/kind_commands.h"
 #include "apps/options.h"
 #include "apps/terminal.h"
 #include "base/lists.h"
@@ -232,9 +233,9 @@ InputError option_error(const std::vector<Param>& params, const InputError& erro
   for (const Param& param : params) {
     if (param.member.name != error.field() || !param.option || param.option->empty()) continue;
     const std::string option = option_names(param).front();
-    return InputError(by_option(param, error.what(), option), option);
+    return InputError(by_option(param, text_with_commands(error), option), option);
   }
-  return error;
+  return InputError(text_with_commands(error), error.field());
 }
 
 void ask_and_deliver(const TypedQuestion& typed) {

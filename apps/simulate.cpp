@@ -18,6 +18,7 @@
 #include "api/named/things.h"
 #include "api/scenes/compare_rungs.h"
 #include "api/scenes/scene_account.h"
+#include "api/scenes/write_scene_run.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"

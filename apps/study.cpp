@@ -26,7 +26,7 @@ struct StudyArguments : Arguments<ThumbStudyRequest> {
 };
 
 void run_thumb(const StudyArguments& options) {
-  const ThumbStudyResult result = ask_thumb_study(options.request, terminal_progress());
+  const ThumbStudyResult result = compute_thumb_study(options.request, terminal_progress());
   deliver(options.outputs, result);
   if (result.outcome.stopped()) throw Stopped("stopped; what was finished by then is kept");
   const std::string complaint = study_complaint(result);
@@ -35,7 +35,7 @@ void run_thumb(const StudyArguments& options) {
 }
 
 void run_types(const Arguments<ThumbTypesRequest>& options) {
-  const ThumbTypesResult result = ask_thumb_types(options.request, terminal_progress());
+  const ThumbTypesResult result = compute_thumb_types(options.request, terminal_progress());
   deliver(options.outputs, result);
   if (!result.types.complete)
     throw Stopped("stopped; the draws that were done by then are counted");

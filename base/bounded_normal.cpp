@@ -22,7 +22,7 @@ BoundedNormal::BoundedNormal(double lower, double upper)
           "bounds must enclose the prior mean, got {} .. {} prior sds", lower, upper);
 }
 
-BoundedNormal::Image BoundedNormal::at(double x) const {
+BoundedNormal::Image BoundedNormal::evaluate(double x) const {
   // Each tail is summed from its own end, so that nothing cancels near a bound.
   const double left = normal_probability(x), right = normal_probability(-x);
   const double p = below_ + within_ * left, q = above_ + within_ * right;

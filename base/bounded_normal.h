@@ -22,7 +22,8 @@ class BoundedNormal {
   struct Image {
     double z, by_x, by_lower, by_upper;
   };
-  [[nodiscard]] Image at(double x) const;
+  /// Computes z(x) and its derivatives.
+  [[nodiscard]] Image evaluate(double x) const;
 
   /// Returns x with z(x) = z. First z is moved inside the bounds by `margin` prior sds, or by that
   /// share of the distance between them if it is less, as x is infinite at the bounds.

@@ -36,12 +36,13 @@ template <typename Enum, std::size_t size>
   return "";
 }
 
-/// Returns the value of a name. @param kind  word for a name in messages: "fit method"
+/// Returns the value of a name.
+/// @param kind, field  as of index_of_name(): "fit method", "method"
 /// @throws InputError as index_of_name() for a name that the table lacks
 template <typename Enum, std::size_t size>
 [[nodiscard]] Enum value_in(const std::array<EnumName<Enum>, size>& table, const std::string& name,
-                            const std::string& kind) {
-  return table[index_of_name(name, names_in(table), kind)].value;
+                            const std::string& kind, const std::string& field = "") {
+  return table[index_of_name(name, names_in(table), kind, field)].value;
 }
 
 }  // namespace thenar

@@ -23,6 +23,10 @@ class Error : public std::runtime_error {
   /// Returns the name of the field in words joined by "_": "centre_of_mass". It is the name of an
   /// option of a command, a parameter of the server and a keyword in Python.
   [[nodiscard]] const std::string& field() const { return field_; }
+  /// Sets the name of the field, unless it has one.
+  void set_field(const std::string& field) {
+    if (field_.empty()) field_ = field;
+  }
 
  private:
   std::string field_;
@@ -54,6 +58,17 @@ template <typename... Args>
 void require_field(const char* field, bool ok, fmt::format_string<Args...> message,
                    Args&&... args) {
   if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...), field);
+}
+
+/// Returns the result of `work`, and adds a field to an InputError that names none.
+template <typename Work>
+auto in_field(const char* field, const Work& work) {
+  try {
+    return work();
+  } catch (InputError& error) {
+    error.set_field(field);
+    throw;
+  }
 }
 
 /// Returns the result of `work`, and turns its InputError into a DataError at a line of a file.

@@ -70,13 +70,14 @@ std::string listed(const std::vector<std::string>& names) {
 
 // NOLINTNEXTLINE(misc-no-recursion): once, by a name that is there
 std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names,
-                          const std::string& kind) {
+                          const std::string& kind, const std::string& field) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string of_field = name_of_field(name, names);
-  if (!of_field.empty()) return index_of_name(of_field, names, kind);
+  if (!of_field.empty()) return index_of_name(of_field, names, kind, field);
   throw InputError(fmt::format("no {} '{}'{} there are {}", kind, name,
-                               hint_before_list(name, names), listed(names)));
+                               hint_before_list(name, names), listed(names)),
+                   field);
 }
 
 }  // namespace thenar

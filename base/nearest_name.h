@@ -25,10 +25,11 @@ namespace thenar {
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// Returns the position of `name` in `names`, or of the only one that has it as a field_name().
-/// @param kind  word for a name in messages: "muscle"
+/// @param kind   word for a name in messages: "muscle"
+/// @param field  field of the request that has the name, for the error; empty: none
 /// @throws InputError "no muscle 'FPD', did you mean 'FDP'? there are FDP, FDS" if it is not there.
 [[nodiscard]] std::size_t index_of_name(const std::string& name,
                                         const std::vector<std::string>& names,
-                                        const std::string& kind);
+                                        const std::string& kind, const std::string& field = "");
 
 }  // namespace thenar

@@ -133,13 +133,13 @@ void run(const std::string& path) {
     Options options;
     variant.change(options);
     sample::ThumbOnMug made = sample::thumb_on_mug(options);
-    made.options.sample = made.options.seconds / kSamples;
+    made.options.sample_interval = made.options.duration / kSamples;
     const SceneRun run = simulate_scene(made.scene, made.options);
     const std::vector<sample::ThumbOnMugState> states = states_of(made, run);
     OrderedJson row{{"name", variant.name},
                     {"status", name_of(run.status)},
                     {"unsolved", run.cost.unsolved},
-                    {"deepest_m", run.cost.deepest},
+                    {"deepest_m", run.cost.max_penetration},
                     {"cpu_s", run.cost.cpu_seconds}};
     for (const sample::ThumbOnMugState& state : states)
       row["states"].push_back(json_of_state(state));

@@ -111,7 +111,7 @@ ContactBlock soft_finger_block(double friction, double torsion_radius) {
   return checked({ConstraintLaw::kSoftFinger, 0, 0, friction, torsion_radius});
 }
 
-int rows_of(ConstraintLaw law) {
+int row_count(ConstraintLaw law) {
   if (law == ConstraintLaw::kCoulomb) return 3;
   return law == ConstraintLaw::kSoftFinger ? 4 : 1;
 }
@@ -119,7 +119,7 @@ int rows_of(ConstraintLaw law) {
 void check_contact_problem(const ContactProblem& problem) {
   Index rows = 0;
   // Check the blocks, and the sum of their rows against W and b.
-  for (const ContactBlock& block : problem.blocks) rows += rows_of(checked(block).law);
+  for (const ContactBlock& block : problem.blocks) rows += row_count(checked(block).law);
   require(problem.b.size() == rows, "blocks have {} rows, b has {}", rows, problem.b.size());
   require(problem.W.rows() == rows && problem.W.cols() == rows,
           "blocks have {} rows, W is {} by {}", rows, problem.W.rows(), problem.W.cols());
@@ -153,7 +153,7 @@ double min_diagonal(const ContactProblem& problem) {
 
 double block_scale(const ContactProblem& problem, const ContactBlock& block, Index start,
                    double minimum) {
-  const int rows = rows_of(block.law);
+  const int rows = row_count(block.law);
   // Mean diagonal of W over the rows that count; torsion enters as e^2 W, and not at all for e = 0.
   double sum = 0;
   int counted = 0;
@@ -173,7 +173,7 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
   Index start = 0;
   const double minimum = min_diagonal(problem);
   for (const ContactBlock& block : problem.blocks) {
-    const int rows = rows_of(block.law);
+    const int rows = row_count(block.law);
     const double s = block_scale(problem, block, start, minimum);
     // Scale of the natural map: the largest |s b| and |P(0) / s|.
     out.scale = std::max(out.scale, residual_scale(block, problem.b.segment(start, rows), s));

@@ -55,7 +55,7 @@ struct ContactBlock {
 [[nodiscard]] ContactBlock soft_finger_block(double friction, double torsion_radius);
 
 /// Returns the number of rows of a law: 1, 3 (normal, tangents) or 4 (normal, tangents, torsion).
-[[nodiscard]] int rows_of(ConstraintLaw law);
+[[nodiscard]] int row_count(ConstraintLaw law);
 
 /// Contact problem for the impulses f and velocities  u = W f + b  of all rows.
 ///

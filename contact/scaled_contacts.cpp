@@ -6,7 +6,7 @@
 namespace thenar::internal {
 
 void ScaledContacts::add_block(const ContactBlock& block, int start, double s) {
-  const int rows = rows_of(block.law);
+  const int rows = row_count(block.law);
   s_.segment(start, rows).setConstant(s);
   if (rows == 1) {
     const auto [lower, upper] = impulse_bounds(block);
@@ -39,7 +39,7 @@ void ScaledContacts::assign(const ContactProblem& problem) {
   const double minimum = min_diagonal(problem);
   for (const ContactBlock& block : problem.blocks) {
     add_block(block, start, block_scale(problem, block, start, minimum));
-    start += rows_of(block.law);
+    start += row_count(block.law);
   }
   // Scale the problem: A = s W s and b' = s b.
   for (Eigen::Index j = 0; j < rows_; ++j)

@@ -65,7 +65,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
   const Eigen::Matrix3Xd& points = mesh.vertices;
   require(points.cols() >= 8, "a capsule has eight numbers, the mesh {} vertices", points.cols());
   Ends ends = first_ends(points);
-  const double least_radius = 1e-3 * ends[6];
+  const double min_radius = 1e-3 * ends[6];
   Eigen::VectorXd apart = distances_from(ends, points);
   Eigen::Matrix<double, Eigen::Dynamic, 8> slope(points.cols(), 8);
   double damping = 1e-3;
@@ -79,7 +79,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
     normal.diagonal() *= 1 + damping;
     normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
     Ends next = ends - normal.ldlt().solve(slope.transpose() * apart);
-    next.tail<2>() = next.tail<2>().cwiseMax(least_radius);
+    next.tail<2>() = next.tail<2>().cwiseMax(min_radius);
     const Eigen::VectorXd then = distances_from(next, points);
     if (!(then.squaredNorm() < apart.squaredNorm())) {
       if ((damping *= 10) > 1e8) break;

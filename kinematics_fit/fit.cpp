@@ -210,7 +210,7 @@ FitInputs inputs_of(const ResultFile& file) {
       get("inputs/subject"), get("inputs/settings"), {}, file.list("inputs/also_free")};
   if (file.texts.count("inputs/net/text") > 0) inputs.net = get("inputs/net");
   if (file.texts.count("inputs/scale") > 0)
-    inputs.scaling = scaling_named(file.text("inputs/scale"));
+    inputs.scaling = value_in(kScalingNames, file.text("inputs/scale"), "scaling");
   for (int e = 0; file.texts.count(fmt::format("inputs/experiment{}/text", e)) > 0; ++e)
     inputs.experiments.push_back(get(fmt::format("inputs/experiment{}", e)));
   return inputs;

@@ -144,12 +144,6 @@ void require_scalable(const TendonDigit& digit, const Experiment& experiment) {
 
 }  // namespace
 
-Scaling scaling_named(const std::string& name) {
-  if (name == "subject") return Scaling::kSubject;
-  if (name == "outside") return Scaling::kOutside;
-  throw InputError(fmt::format("no scaling '{}'; wanted subject or outside", name));
-}
-
 TendonDigit scale_to_outside(const TendonDigit& digit, const Experiment& experiment) try {
   require_scalable(digit, experiment);
   const OutsideScale scale(digit, experiment.outside_length);

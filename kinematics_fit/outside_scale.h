@@ -2,6 +2,9 @@
 
 /// Scaling of a subject's digit to the size of a person, from lengths measured on the outside.
 
+#include <array>
+
+#include "base/enum_names.h"
 #include "data/io/experiment.h"
 #include "tendons/tendon_model.h"
 
@@ -13,8 +16,8 @@ enum class Scaling {
   kOutside   // lengths stated by the specimen's experiment
 };
 
-/// Returns the scaling named "subject" or "outside". @throws InputError for any other name.
-[[nodiscard]] Scaling scaling_named(const std::string& name);
+inline constexpr std::array kScalingNames{EnumName{Scaling::kSubject, "subject"},
+                                          EnumName{Scaling::kOutside, "outside"}};
 
 /// Scales every bone of the digit to its measured length.
 ///

@@ -35,7 +35,7 @@ SpecimenDeviation specimen_deviation(const CoordinateEntries& coordinate, double
   if (!(bounds.lower < bounds.upper)) return {0, 0, 0, 0};
 
   // Map x by the truncated normal; both bounds move against the population.
-  const BoundedNormal::Image image = BoundedNormal(bounds.lower, bounds.upper).at(x);
+  const BoundedNormal::Image image = BoundedNormal(bounds.lower, bounds.upper).evaluate(x);
   SpecimenDeviation out{sd * image.z, sd * image.by_x, -(image.by_lower + image.by_upper),
                         sd * image.z};
   // Add the effect of the sd on the bounds, which are in units of it.

@@ -84,8 +84,9 @@ class LiveFit final : public LiveModel {
   [[nodiscard]] const ExperimentPlan& plan() const;
   /// Frame in which the force of a trial was measured, seen from the subject's frame.
   struct ForceFrame {
-    Eigen::Vector3d point;  // point of measurement [m] (3)
-    Eigen::Matrix3d R;  // rotation of the experiment's components into the subject's frame (3, 3)
+    Eigen::Vector3d point{0, 0, 0};                   // point of measurement [m] (3)
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // rotation of the experiment's components
+                                                      // into the subject's frame (3, 3)
   };
   [[nodiscard]] ForceFrame force_frame() const;
 

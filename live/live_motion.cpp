@@ -114,16 +114,16 @@ void LiveMotion::collect_quality(MotionQuality& quality) {
   // Read the costs since the last call, and add them to the totals.
   const SceneCost cost = stepper_.take_cost();
   quality.unsolved = cost.unsolved;
-  quality.leaps = cost.leaps;
+  quality.leaps = cost.tunnelling_steps;
   quality.worst_residual = cost.worst_residual;
-  quality.deepest = cost.deepest;
+  quality.deepest = cost.max_penetration;
   quality_.steps += quality.steps;
   quality_.unsolved += quality.unsolved;
   quality_.leaps += quality.leaps;
   quality_.worst_residual = std::max(quality_.worst_residual, quality.worst_residual);
   quality_.deepest = std::max(quality_.deepest, quality.deepest);
-  keep_max_excess(cost.beyond, limit_excess_);
-  add_balance(cost.beyond, quality);
+  keep_max_excess(cost.limit_excess, limit_excess_);
+  add_balance(cost.limit_excess, quality);
 }
 
 void LiveMotion::add_balance(const Eigen::VectorXd& excess, MotionQuality& quality) const {

@@ -56,7 +56,8 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] bool passed_end() const;
   /// Sets the quality of the steps since the last call, and adds it to quality_.
   void collect_quality(MotionQuality& quality);
-  /// Adds the energy balance and the limits that were exceeded. @param excess  SceneCost::beyond
+  /// Adds the energy balance and the limits that were exceeded. @param excess
+  /// SceneCost::limit_excess
   void add_balance(const Eigen::VectorXd& excess, MotionQuality& quality) const;
   void start_history();
   /// Returns to the instant that is shown, after a step that failed.
@@ -78,7 +79,7 @@ class LiveMotion final : public LiveTimeline {
   std::size_t shown_ = 0;   // entry of history_ that is shown
   SceneSample start_sample_;
   MotionQuality quality_;               // counts and maxima since the start
-  Eigen::VectorXd limit_excess_;        // SceneCost::beyond since the start (joints)
+  Eigen::VectorXd limit_excess_;        // SceneCost::limit_excess since the start (joints)
   std::vector<ElementValue> readings_;  // names, units and initial values of all readings
   std::vector<std::size_t> tension_index_;
   std::vector<std::size_t> moving_bodies_;  // bodies: moving_bodies()

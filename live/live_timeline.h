@@ -61,7 +61,7 @@ struct MotionQuality {
   double worst_residual = 0;  // largest residual of a contact problem [1]
   double deepest = 0;         // largest penetration [m]
   long leaps = 0;  // steps in which surfaces moved so far that they may have passed through each
-                   // other: SceneCost::leaps
+                   // other: SceneCost::tunnelling_steps
   std::optional<FlowBalance>
       balance;                      // energy balance from the start to the instant that is shown;
                                     // for a recorded run worst_balance(); absent: not recorded

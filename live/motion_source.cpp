@@ -14,17 +14,17 @@ constexpr double kMaxStepParts = 256;  // largest number of parts that a step is
 
 /// Bounds the computing time of a step; bodies that need more parts may pass through each other.
 void bound_step_division(SceneOptions& options) {
-  options.shortest = std::max(options.shortest, options.step / kMaxStepParts);
+  options.min_step = std::max(options.min_step, options.step_length / kMaxStepParts);
 }
 
 /// Sets the step size exactly, even if the scene's duration is not a multiple of it.
 void set_step_length(double step, SceneOptions& options) {
   // SceneStepper fits the step size to the duration: if that changes it, make the duration one
   // step.
-  options.step = step;
-  const double adjusted = options.seconds / static_cast<double>(fixed_steps(options));
+  options.step_length = step;
+  const double adjusted = options.duration / static_cast<double>(fixed_steps(options));
   constexpr double kStepTolerance = 1e-12;  // relative difference of equal step sizes [1]
-  if (std::abs(adjusted - step) > kStepTolerance * step) options.seconds = step;
+  if (std::abs(adjusted - step) > kStepTolerance * step) options.duration = step;
 }
 
 bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
@@ -43,12 +43,12 @@ MotionSource scene_motion(const SceneRequest& request) {
   out.camera = read.spec.camera;
   out.warnings = read.open.built.warnings;
   SceneOptions& options = read.open.built.options;
-  out.duration = options.seconds;
+  out.duration = options.duration;
   // Warn about settings that differ in a live motion.
   if (options.method != SteppingMethod::kTimeStepping)
     out.warnings.push_back(fmt::format(
         "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",
-        name_in(kSteppingMethodNames, options.method), 1e3 * options.step));
+        name_in(kSteppingMethodNames, options.method), 1e3 * options.step_length));
   if (has_pads_of_elements(read.spec, request))
     out.warnings.emplace_back(
         "pads of finite elements: where they touch, single steps take tenths of a second; other "

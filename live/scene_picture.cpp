@@ -170,7 +170,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
     const SceneForce& force = scene.forces[k];
     const Eigen::Vector3d at = view.X_WB[force.body] * force.point;
     const Eigen::Vector3d vector = picture.is_moment[k] ? force.moment : force.force;
-    out.arrows.push_back({at, force.when.holds(view.t) ? vector : Eigen::Vector3d(0, 0, 0)});
+    out.arrows.push_back({at, force.when.contains(view.t) ? vector : Eigen::Vector3d(0, 0, 0)});
   }
   // Convert the contacts to the bodies of the shape; friction sets the angle of the cone.
   for (const ContactSample& contact : view.contacts)

@@ -244,12 +244,10 @@ void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const Vecto
 void MeanGaps::add_gradient(int row, int node, const Vector3d& value) {
   depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > kNegligibleGradient;
   std::vector<Gradient>& list = gradients_[row];
-  const auto known = std::find_if(list.begin(), list.end(),
-                                  [&](const Gradient& each) { return each.node == node; });
-  if (known == list.end())
-    list.push_back({row, node, value});
-  else
+  if (Gradient* known = find_where(list, [&](const auto& each) { return each.node == node; }))
     known->value += value;
+  else
+    list.push_back({row, node, value});
 }
 
 VectorXd MeanGaps::gap_changes(const Matrix3Xd& moved) const {

@@ -262,13 +262,11 @@ void HexMesh::find_hanging() {
       }
       from.erase(from.begin() + static_cast<std::ptrdiff_t>(k));
       for (const NodeWeight& each : std::vector<NodeWeight>(theirs)) {
-        const auto same = std::find_if(from.begin(), from.end(), [&](const NodeWeight& other) {
-          return other.node == each.node;
-        });
-        if (same == from.end())
-          from.push_back({each.node, at.weight * each.weight});
-        else
+        const auto is_same = [&](const NodeWeight& other) { return other.node == each.node; };
+        if (NodeWeight* same = find_where(from, is_same))
           same->weight += at.weight * each.weight;
+        else
+          from.push_back({each.node, at.weight * each.weight});
       }
       k = 0;
     }

@@ -95,12 +95,10 @@ Matrix3Xd contact_force_loss(const PressIterate& iterate, const Matrix3Xd& moved
 }
 
 std::vector<ContactState> contact_states(const PressIterate& iterate) {
-  std::vector<ContactState> out;
-  for (const SkinNodeContact& c : iterate.contacts)
-    out.push_back(c.normal_force <= 0 ? ContactState::kOpen
-                  : c.slips           ? ContactState::kSlips
-                                      : ContactState::kSticks);
-  return out;
+  return transformed(iterate.contacts, [](const SkinNodeContact& c) {
+    if (c.normal_force <= 0) return ContactState::kOpen;
+    return c.slips ? ContactState::kSlips : ContactState::kSticks;
+  });
 }
 
 bool has_sliding_nodes(const PressIterate& iterate) {

@@ -68,9 +68,10 @@ using VoigtTangent = Eigen::Matrix<double, 6, 6>;
 
 /// Isochoric response at a deformation.
 struct IsochoricResponse {
-  double energy = 0;     // W [J/m^3]
-  Voigt stress;          // Kirchhoff stress, deviatoric [Pa] (6)
-  VoigtTangent tangent;  // Lie derivative of the Kirchhoff stress, F F F F : 4 d^2W/dC^2 [Pa]
+  double energy = 0;             // W [J/m^3]
+  Voigt stress = Voigt::Zero();  // Kirchhoff stress, deviatoric [Pa] (6)
+  // Lie derivative of the Kirchhoff stress, F F F F : 4 d^2W/dC^2 [Pa]
+  VoigtTangent tangent = VoigtTangent::Zero();
 };
 
 /// Computes energy, stress and tangent of the isochoric law.

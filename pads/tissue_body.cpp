@@ -271,10 +271,11 @@ void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& his
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    element_response(kind_, element.shape, tissues_[element.region],
-                     element_displacements(element, u), &steps[element.region],
-                     &element_history(e, history),
-                     tangent_pressure.empty() ? nullptr : &tangent_pressure[e], request, response);
+    element_response(
+        {kind_, element.shape, tissues_[element.region], element_displacements(element, u),
+         &steps[element.region], &element_history(e, history),
+         tangent_pressure.empty() ? nullptr : &tangent_pressure[e]},
+        request, response);
     if (response.inverted) {
       out.inverted = true;
       return;
@@ -306,8 +307,9 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
 
 TissuePressure TissueBody::predict_pressure(const Matrix3Xd& u, const Matrix3Xd& du) const {
   return transformed(elements_, [&](const Element& element) {
-    return linear_pressure(kind_, element.shape, tissues_[element.region],
-                           element_displacements(element, u), element_displacements(element, du));
+    return linear_pressure(
+        {kind_, element.shape, tissues_[element.region], element_displacements(element, u)},
+        element_displacements(element, du));
   });
 }
 
@@ -323,9 +325,9 @@ TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
     // Compute the elastic stress at the end of the step.
     ElementHistory at = element_history(e, history);
     const std::size_t points = at.elastic.size();
-    element_response(kind_, element.shape, tissues_[element.region],
-                     element_displacements(element, u), &step, &at, nullptr, ElementRequest::kForce,
-                     response);
+    element_response({kind_, element.shape, tissues_[element.region],
+                      element_displacements(element, u), &step, &at},
+                     ElementRequest::kForce, response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
     // Decay the history terms, and add the change of the elastic stress.
     if (!step.decay.empty()) {
@@ -401,9 +403,10 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    element_response(kind_, element.shape, tissues_[element.region],
-                     element_displacements(element, u), &steps[element.region],
-                     &element_history(e, history), nullptr, ElementRequest::kForce, response);
+    element_response(
+        {kind_, element.shape, tissues_[element.region], element_displacements(element, u),
+         &steps[element.region], &element_history(e, history)},
+        ElementRequest::kForce, response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
     // Assign forces on hanging nodes to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {

@@ -142,26 +142,24 @@ void add_pressure_tangent(double s, double r, VoigtTangent& c) {
 template <int N>
 class Dilatation {
  public:
-  Dilatation(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-             const PointKinematics& points, const double* u,
-             const Eigen::Vector4d* tangent_pressure)
-      : kind_(kind), shape_(shape), tangent_(tangent_pressure) {
-    const double K = bulk_modulus(tissue);
-    if (kind == HexElement::kDisplacement) {
+  Dilatation(const DeformedElement& at, const PointKinematics& points)
+      : kind_(at.kind), shape_(at.shape), tangent_(at.tangent_pressure) {
+    const double K = bulk_modulus(at.tissue);
+    if (kind_ == HexElement::kDisplacement) {
       // Q1: take J of each point.
       for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
-    } else if (kind == HexElement::kMeanDilatation) {
+    } else if (kind_ == HexElement::kMeanDilatation) {
       // Q1P0: average J over the element's volume.
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
-        volume_ += shape.volume[q];
-        sum += shape.volume[q] * points.J[q];
+        volume_ += shape_.volume[q];
+        sum += shape_.volume[q] * points.J[q];
       }
       at_.fill(volumetric_response(K, sum / volume_));
-    } else if (kind == HexElement::kCentroidDilatation) {
+    } else if (kind_ == HexElement::kCentroidDilatation) {
       // F-bar: take J of the mean of F, which must be positive, too.
-      point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
-      for (const double w : shape.volume) volume_ += w;
+      point_kinematics(N, kCentre, shape_.mean_gradient.data(), at.u.data(), centre_);
+      for (const double w : shape_.volume) volume_ += w;
       fits_ = centre_.J[0] > 0;
       if (fits_) at_.fill(volumetric_response(K, centre_.J[0]));
     } else {
@@ -320,91 +318,129 @@ class Dilatation {
   bool fits_ = true;
 };
 
+/// Energy, forces and stiffness of an element of N points, summed over its Gauss points.
 template <int N>
-void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
-             const MemoryStep* step, const ElementHistory* history,
-             const Eigen::Vector4d* tangent_pressure, ElementRequest request,
-             ElementResponse& out) {
-  // Compute the deformation at all points.
-  constexpr int kPoints = padded_points(N);
+class PointSums {
+ public:
+  /// @param points, dilatation  of the same element; must outlive the object
+  PointSums(const DeformedElement& at, const PointKinematics& points,
+            const Dilatation<N>& dilatation, ElementRequest request, ElementResponse& out)
+      : at_(at),
+        points_(points),
+        dilatation_(dilatation),
+        with_force_(request != ElementRequest::kEnergy),
+        with_stiffness_(request == ElementRequest::kStiffness),
+        relaxes_(!at.step->decay.empty()),
+        out_(out) {
+    // Reset the requested results; give the padding points zero weight.
+    out.energy = dilatation.energy();
+    if (with_force_) out.force.setZero(3 * N);
+    if (with_stiffness_) out.stiffness.setZero(3 * N, 3 * N);
+    if (with_force_) out.elastic.resize(N);
+    for (int q = N; q < kPoints; ++q)
+      set_point(kPoints, q, 0, Voigt::Zero(), &iso_.tangent, stresses_);
+  }
+
+  /// Adds the energy of a point, and stores its stress and tangent if requested.
+  void add_point(std::size_t q) {
+    // Compute the isochoric response of the point, as if nothing relaxed.
+    const Matrix3d F = deformation_at(points_, kPoints, static_cast<int>(q));
+    const double w = at_.shape.volume[q];
+    isochoric_response(at_.tissue, F, with_stiffness_, iso_);
+    out_.energy += w * at_.step->now * iso_.energy;
+    // Add the energy of the history, which is linear in C.
+    Voigt past = Voigt::Zero();
+    if (relaxes_) {
+      past = remaining_stress(q);
+      const Matrix3d C = F.transpose() * F;
+      out_.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
+    }
+    if (with_force_) store_stress(q, F, past);
+  }
+
+  /// Computes force and stiffness from all points, if requested.
+  void integrate() {
+    if (!with_force_) return;
+    add_forces(N, kPoints, points_.g, stresses_, out_.force.data());
+    if (with_stiffness_) {
+      // The geometric stiffness uses the pressure of the tangent.
+      for (int p = 0; p < 3; ++p)
+        for (std::size_t q = 0; q < N; ++q)
+          stresses_.tau[static_cast<std::size_t>(p * kPoints) + q] += more_[q];
+      add_stiffness(N, kPoints, points_.g, stresses_, out_.stiffness.data());
+    }
+    // Add the contributions of the dilatation that couple points.
+    dilatation_.add(points_, with_stiffness_, out_.force.data(), out_.stiffness.data());
+  }
+
+ private:
+  static constexpr int kPoints = padded_points(N);
+
+  /// Computes the second Piola-Kirchhoff stress of the history at a point [Pa].
+  [[nodiscard]] Voigt remaining_stress(std::size_t q) const {
+    const MemoryStep& step = *at_.step;
+    Voigt past = Voigt::Zero();
+    for (std::size_t i = 0; i < step.decay.size(); ++i)
+      past +=
+          step.decay[i] * at_.history->terms[i * N + q] - step.change[i] * at_.history->elastic[q];
+    return past;
+  }
+
+  /// Stores the Kirchhoff stress of a point, and its tangent if requested.
+  void store_stress(std::size_t q, const Matrix3d& F, const Voigt& past) {
+    const double w = at_.shape.volume[q], J = points_.J[q];
+    // Pull the elastic stress back to the reference for the history.
+    if (relaxes_) {
+      const Matrix3d inverse = F.inverse();
+      out_.elastic[q] = voigt_of(inverse * tensor_of(iso_.stress) * inverse.transpose());
+    }
+    // Sum the isochoric part, the history pushed forward, and the pressure.
+    Voigt tau = at_.step->now * iso_.stress;
+    if (relaxes_) tau += voigt_of(F * tensor_of(past) * F.transpose());
+    tau.head<3>().array() += dilatation_.pressure(q) * J;
+    // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
+    if (with_stiffness_) {
+      iso_.tangent *= at_.step->now;
+      const double tangent_pJ = dilatation_.tangent_pressure(q) * J;
+      add_pressure_tangent(tangent_pJ + dilatation_.own_stiffness(q, J), tangent_pJ, iso_.tangent);
+      more_[q] = w * (tangent_pJ - dilatation_.pressure(q) * J);
+    }
+    set_point(kPoints, static_cast<int>(q), w, tau, with_stiffness_ ? &iso_.tangent : nullptr,
+              stresses_);
+  }
+
+  const DeformedElement& at_;
+  const PointKinematics& points_;
+  const Dilatation<N>& dilatation_;
+  bool with_force_, with_stiffness_;
+  bool relaxes_;  // the tissue has a history
+  ElementResponse& out_;
+  IsochoricResponse iso_;  // response of the present point
+  PointStresses stresses_;
+  std::array<double, N> more_{};  // pressure of the stiffness over that of forces, times J w [J]
+};
+
+template <int N>
+void compute_response(const DeformedElement& at, ElementRequest request, ElementResponse& out) {
+  // Compute the deformation at all points, and the dilatation of this kind of element; both count
+  // as inverted unless they are positive.
   PointKinematics points;
-  point_kinematics(N, kPoints, shape.gradient.data(), u, points);
+  point_kinematics(N, padded_points(N), at.shape.gradient.data(), at.u.data(), points);
   out.inverted = !std::all_of(points.J, points.J + N, [](double J) { return J > 0; });
   if (out.inverted) return;
-  // Compute the dilatation of this kind of element; it counts as inverted unless it is positive.
-  const Dilatation<N> dilatation(kind, shape, tissue, points, u, tangent_pressure);
-  if (!dilatation.fits()) {
-    out.inverted = true;
-    return;
-  }
-  // Reset the requested results.
-  const bool with_force = request != ElementRequest::kEnergy,
-             with_stiffness = request == ElementRequest::kStiffness;
-  out.energy = dilatation.energy();
-  if (with_force) out.force.setZero(3 * N);
-  if (with_stiffness) out.stiffness.setZero(3 * N, 3 * N);
-  if (with_force) out.elastic.resize(N);
-  const double now = step != nullptr ? step->now : 1;
-  const bool relaxes = step != nullptr && !step->decay.empty();
-  IsochoricResponse iso;
-  iso.tangent.setZero();
-  PointStresses stresses;
-  std::array<double, N> more{};  // pressure of the stiffness over that of forces
-  // Give the padding points zero weight.
-  for (int q = N; q < kPoints; ++q) set_point(kPoints, q, 0, Voigt::Zero(), &iso.tangent, stresses);
-  for (std::size_t q = 0; q < N; ++q) {
-    // Compute the isochoric response of the point, as if nothing relaxed.
-    const Matrix3d F = deformation_at(points, kPoints, static_cast<int>(q));
-    const double w = shape.volume[q], J = points.J[q];
-    isochoric_response(tissue, F, with_stiffness, iso);
-    out.energy += w * now * iso.energy;
-    // Sum the second Piola-Kirchhoff stress of the history; its energy is linear in C.
-    Voigt past = Voigt::Zero();
-    if (relaxes) {
-      for (std::size_t i = 0; i < step->decay.size(); ++i)
-        past += step->decay[i] * history->terms[i * N + q] - step->change[i] * history->elastic[q];
-      const Matrix3d C = F.transpose() * F;
-      out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
-    }
-    if (!with_force) continue;
-    // Pull the elastic stress back to the reference for the history.
-    if (relaxes) {
-      const Matrix3d inverse = F.inverse();
-      out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
-    }
-    // Sum the Kirchhoff stress: isochoric part, history pushed forward, and pressure.
-    Voigt tau = now * iso.stress;
-    if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
-    tau.head<3>().array() += dilatation.pressure(q) * J;
-    // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
-    if (with_stiffness) {
-      iso.tangent *= now;
-      const double tangent_pJ = dilatation.tangent_pressure(q) * J;
-      add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
-      more[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
-    }
-    set_point(kPoints, static_cast<int>(q), w, tau, with_stiffness ? &iso.tangent : nullptr,
-              stresses);
-  }
-  if (!with_force) return;
-  // Integrate over the points; the geometric stiffness uses the pressure of the tangent.
-  add_forces(N, kPoints, points.g, stresses, out.force.data());
-  if (with_stiffness) {
-    for (int p = 0; p < 3; ++p)
-      for (std::size_t q = 0; q < N; ++q)
-        stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += more[q];
-    add_stiffness(N, kPoints, points.g, stresses, out.stiffness.data());
-  }
-  // Add the contributions of the dilatation that couple points.
-  dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
+  const Dilatation<N> dilatation(at, points);
+  out.inverted = !dilatation.fits();
+  if (out.inverted) return;
+  PointSums<N> sums(at, points, dilatation, request, out);
+  for (std::size_t q = 0; q < N; ++q) sums.add_point(q);
+  sums.integrate();
 }
 
 template <int N>
-Eigen::Vector4d linear_pressure_of(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                                   const double* u, const double* du) {
+Eigen::Vector4d linear_pressure_of(const DeformedElement& at, const double* du) {
   PointKinematics points;
-  point_kinematics(N, padded_points(N), shape.gradient.data(), u, points);
-  return Dilatation<N>(kind, shape, tissue, points, u, nullptr).linear_pressure(points, du);
+  point_kinematics(N, padded_points(N), at.shape.gradient.data(), at.u.data(), points);
+  return Dilatation<N>(at, points).linear_pressure(points, du);
 }
 
 }  // namespace
@@ -458,21 +494,16 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
   return table.value[point * static_cast<std::size_t>(table.nodes) + node];
 }
 
-void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                      const Eigen::Matrix3Xd& u, const MemoryStep* step,
-                      const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementRequest request, ElementResponse& out) {
-  if (node_count(kind) == 27)
-    respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
+void element_response(const DeformedElement& at, ElementRequest request, ElementResponse& out) {
+  if (node_count(at.kind) == 27)
+    compute_response<27>(at, request, out);
   else
-    respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, request, out);
+    compute_response<8>(at, request, out);
 }
 
-Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                                const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& du) {
-  if (node_count(kind) == 27)
-    return linear_pressure_of<27>(kind, shape, tissue, u.data(), du.data());
-  return linear_pressure_of<8>(kind, shape, tissue, u.data(), du.data());
+Eigen::Vector4d linear_pressure(const DeformedElement& at, const Eigen::Matrix3Xd& du) {
+  return node_count(at.kind) == 27 ? linear_pressure_of<27>(at, du.data())
+                                   : linear_pressure_of<8>(at, du.data());
 }
 
 }  // namespace thenar

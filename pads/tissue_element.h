@@ -78,25 +78,33 @@ struct ElementResponse {
 /// Highest derivative of the energy that is computed.
 enum class ElementRequest { kEnergy, kForce, kStiffness };
 
+/// Element at displacements u, with its relaxation. All references must outlive the object.
+struct DeformedElement {
+  HexElement kind;
+  const ElementShape& shape;
+  const Tissue& tissue;
+  const Eigen::Matrix3Xd& u;  // displacements [m] (3, nodes)
+  // Weights of relaxation for this step, and relaxation state at the end of the last one. Null
+  // only in calls of linear_pressure().
+  const MemoryStep* step = nullptr;
+  const ElementHistory* history = nullptr;
+  // Pressure in the stiffness, coefficients of its modes [Pa] (4); null: the pressure at u. With
+  // that of linear_pressure(), Newton's method is that of the mixed problem, in which pressure is
+  // an unknown: a step far from equilibrium then avoids pressures of bulk modulus times its
+  // second-order volume change.
+  const Eigen::Vector4d* tangent_pressure = nullptr;
+};
+
 /// Computes the response of one element.
-/// @param u        displacements [m] (3, nodes)
-/// @param step     weights of relaxation for this step; null: elastic
-/// @param history  relaxation state at the end of the last step; unused if `step` is null
-/// @param tangent_pressure  pressure in the stiffness, coefficients of its modes [Pa]; null: the
-///                 pressure at u. With the pressure of linear_pressure(), Newton's method is that
-///                 of the mixed problem, in which pressure is an unknown: a step far from
-///                 equilibrium then avoids pressures of bulk modulus times its second-order volume
-///                 change
 /// Source: [Simo1998] sec. 9.4 and 10.3; spatial forms of [Bonet2008] ch. 9.
-void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                      const Eigen::Matrix3Xd& u, const MemoryStep* step,
-                      const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementRequest request, ElementResponse& out);
+/// @param out  replaced; members beyond the request are unspecified
+void element_response(const DeformedElement& at, ElementRequest request, ElementResponse& out);
 
 /// Returns the pressure after a displacement increment du, linearized at u: coefficients of its
 /// modes, 0 for those that the kind lacks [Pa] (4).
-[[nodiscard]] Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape,
-                                              const Tissue& tissue, const Eigen::Matrix3Xd& u,
+/// @param at  element, whose relaxation and tangent pressure have no effect
+/// @param du  [m] (3, nodes)
+[[nodiscard]] Eigen::Vector4d linear_pressure(const DeformedElement& at,
                                               const Eigen::Matrix3Xd& du);
 
 }  // namespace thenar

@@ -22,7 +22,7 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
   // z, z' = Z phi(x) / phi(z) and z'' = z' (z z' - x) at the ends of the cells, in cell widths.
   const auto node = [&](int i) -> std::array<double, 3> {
     const double x = -kTableReach + i * kCellWidth;
-    const BoundedNormal::Image at = exact.at(x);
+    const BoundedNormal::Image at = exact.evaluate(x);
     return {at.z, at.by_x * kCellWidth, at.by_x * (at.z * at.by_x - x) * kCellWidth * kCellWidth};
   };
   std::array<double, 3> a = node(0);
@@ -44,7 +44,7 @@ void BoundedTable::evaluate_block(const double* x, double scale, double* y, doub
   internal::map_block(cells(coefficients_), x, scale, y, by_x);
   for (int k = 0; k < internal::kBlockPoints; ++k) {
     if (std::abs(x[k]) <= kTableReach) continue;
-    const BoundedNormal::Image image = exact_.at(x[k]);
+    const BoundedNormal::Image image = exact_.evaluate(x[k]);
     y[k] = scale * image.z;
     by_x[k] = scale * image.by_x;
   }
@@ -61,7 +61,7 @@ double BoundedTable::inverse(double z) const {
   const double start = exact_.inverse(z);
   // One Newton step corrects the error of the table.
   const Image near = evaluate(start);
-  return near.by_x > 0 ? start + (exact_.at(start).z - near.z) / near.by_x : start;
+  return near.by_x > 0 ? start + (exact_.evaluate(start).z - near.z) / near.by_x : start;
 }
 
 }  // namespace thenar

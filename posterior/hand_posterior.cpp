@@ -232,7 +232,7 @@ VectorXd values_of(const FitParameters& parameters, const std::vector<int>& whic
 double entry_image(const CoordinateEntry& entry, double k, double x) {
   if (entry.table) return entry.table->evaluate(x).z;
   const auto bounds = entry.bounds(k);
-  return bounds ? bounds->at(x).z : x;
+  return bounds ? bounds->evaluate(x).z : x;
 }
 
 /// Returns z of an entry whose bounds are relative to its population's entry, which must be set in

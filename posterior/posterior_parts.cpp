@@ -43,7 +43,7 @@ void move_scaled(const CoordinateEntry& entry, Index i, Index p, double k, Entry
   const auto bounds = std::isnan(k) ? std::nullopt : entry.bounds(k);
   if (!bounds) return;
   // Bounds in sds depend on the factor.
-  const BoundedNormal::Image image = bounds->at(x);
+  const BoundedNormal::Image image = bounds->evaluate(x);
   out.y(i, p) = out.by_log_specimen_scale(i, p) = scale * image.z;
   out.by_x(i, p) = scale * image.by_x;
   if (std::isfinite(entry.lower))

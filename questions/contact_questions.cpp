@@ -118,8 +118,8 @@ RequestTable<CompareRequest> compare_params() {
       "Hands: human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
       "files.");
   table.add("objects", names, &Request::objects, "Objects: names of objects/, or files.");
-  table.add("tasks", names, &Request::tasks,
-            "Tasks: some of force-closure, hold-weight, pull, turn.");
+  table.add_words("tasks", names, "task", kGraspTaskNames, &Request::tasks,
+                  "Tasks: some of force-closure, hold-weight, pull, turn.");
   // Add the effort of the search, and its seed.
   table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");

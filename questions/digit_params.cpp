@@ -34,8 +34,7 @@ RequestTable<DigitRequest> linear_digit_params() {
 
 RequestTable<DigitRequest> tendon_params(const std::string& hood) {
   RequestTable<DigitRequest> table = subject_params();
-  table.add_word("hood", kHoodNames, &DigitRequest::hood,
-                 "Extensor hood; default: " + hood + ".");
+  table.add_word("hood", kHoodNames, &DigitRequest::hood, "Extensor hood; default: " + hood + ".");
   table.add("net", text_schema(), &DigitRequest::net,
             "Extensor net: " + listed(known_nets()) +
                 ", or a file (TOML); default for a net hood: extensor_hood.");

@@ -61,10 +61,10 @@ void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, con
                       "{} are asked for beside {} alone, and {} is wanted", key,
                       load == TipLoad::kForce ? "a force" : "a moment",
                       load == TipLoad::kForce ? "a moment" : "a force");
-        read_value(value, request.most_other);
+        read_value(value, request.max_other);
       },
       [=](const FeasibleForceRequest& request) {
-        return request.load == load ? value_json(request.most_other) : Json();
+        return request.load == load ? value_json(request.max_other) : Json();
       });
 }
 
@@ -136,7 +136,7 @@ RequestTable<PoseRequest> pose_params() {
 
 void add_digit_questions(std::vector<Question>& all) {
   add_question(all, "pose", "Compute joints, segments or links, and tips at a posture.",
-               pose_params(), ask_pose,
+               pose_params(), compute_poses,
                R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
   add_question<DigitRequest, MomentArmResult>(
       all, "moment_arms", "Compute moment arms and length changes of a digit's tendons.",

@@ -54,9 +54,9 @@ RequestTable<FitSources> source_params() {
             "Extensor net in place of the subject's hood: name or file.");
   table.add("also_free", names_schema(), &FitSources::also_free,
             "Also free the parameters that match these globs.", "free");
-  table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
-            "Size of the digit before the fit: the subject's own, or scaled to the "
-            "lengths in the [outside] of each experiment.");
+  table.add_word("scale", kScalingNames, &FitSources::scale,
+                 "Size of the digit before the fit: the subject's own, or scaled to the "
+                 "lengths in the [outside] of each experiment.");
   add_fit_path(table, &FitSources::path);
   add_data(table, &FitSources::data);
   return table;
@@ -144,22 +144,9 @@ RequestTable<FitRequest> fit_params() {
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
                  "Method of the fit: ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
   // Each kind of leaving out fits anew without some of the data.
-  Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
-                   "Also leave out one posture, tendon or specimen at a time."},
-                  units::kOne,
-                  "cross-validate"};
-  table.add(
-      leave_out,
-      [](Request& request, const Json& value) {
-        request.leave_out.clear();
-        for (const Json& each : value)
-          request.leave_out.push_back(leave_out_named(each.get<std::string>()));
-      },
-      [](const Request& request) {
-        Json list;
-        for (const LeaveOut each : request.leave_out) list.push_back(name_in(kLeaveOutNames, each));
-        return list;
-      });
+  table.add_words("leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
+                  "part to leave out", kLeaveOutNames, &Request::leave_out,
+                  "Also leave out one posture, tendon or specimen at a time.", "cross-validate");
   // Choosing settings by left-out data, and the optimiser's own limits.
   table.add("choose_settings", flag_schema(), &Request::choose_settings,
             "Choose among the [[choose]] rows of the settings by left-out postures and specimens; "

@@ -121,8 +121,11 @@ RequestTable<SceneRequest> scene_params() {
   RequestTable<Request> table;
   table.add_argument("scene", &Request::scene,
                      "A scene of bodies and hands: its name, or its file (TOML).");
-  table.add("method", text_schema(), &Request::method,
-            "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; default: from the scene.");
+  table
+      .add_word(
+          "method", kSteppingMethodNames, &Request::method,
+          "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; default: from the scene.")
+      .member.schema = text_schema();
   table.add("pads", text_schema(), &Request::pads,
             "Level of detail of all its pads: " + listed(pad_rung_names()) +
                 "; default: from the scene.");

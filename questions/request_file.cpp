@@ -94,11 +94,15 @@ Answer RequestFile::ask(const Progress& progress) const {
     return question->ask(request, "", progress);
   } catch (const InputError& error) {
     // Report the line of the key that sets the field, in either unit.
-    for (const Param& param : question->params)
+    bool sets_field = false;
+    for (const Param& param : question->params) {
+      // Fields of postures are named without a unit, as their option is; twins set the same field.
+      sets_field = (sets_field && param.is_twin) || param.member.name == error.field() ||
+                   (!error.field().empty() && param.option == error.field());
       for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
-        if (const auto line = lines.find(param.key_in(system));
-            param.member.name == error.field() && line != lines.end())
+        if (const auto line = lines.find(param.key_in(system)); sets_field && line != lines.end())
           throw DataError(path, line->second, error.what());
+    }
     const auto line = lines.find(error.field());
     throw DataError(path, line == lines.end() ? 1 : line->second, error.what());
   }

@@ -128,11 +128,30 @@ class RequestTable {
     return add(
         {{key, word_schema(names_in(names)), about}, units::kOne, option},
         [=](Request& request, const Json& value) {
-          request.*member = value_in(names, value.get<std::string>(), key);
+          request.*member = value_in(names, value.get<std::string>(), key, key);
         },
         [=](const Request& request) {
           const std::optional<Enum> value = request.*member;
           return value ? Json(name_in(names, *value)) : Json();
+        });
+  }
+  /// Adds a list of values of an enumeration type. @param kind  as of value_in()
+  template <typename Enum, std::size_t size>
+  Param& add_words(const std::string& key, const Schema& schema, const std::string& kind,
+                   const std::array<EnumName<Enum>, size>& names,
+                   std::vector<Enum> Request::*member, const std::string& about,
+                   const std::optional<std::string>& option = {}) {
+    return add(
+        {{key, schema, about}, units::kOne, option},
+        [=](Request& request, const Json& value) {
+          (request.*member).clear();
+          for (const Json& each : value)
+            (request.*member).push_back(value_in(names, each.get<std::string>(), kind, key));
+        },
+        [=](const Request& request) {
+          Json list;
+          for (const Enum each : request.*member) list.push_back(name_in(names, each));
+          return list;
         });
   }
   /// Adds the parameters of a nested part of the request.

@@ -43,7 +43,7 @@ JOINED = {
     "api/pads/fit_pad.cpp": (1, "a mesh to be named in a new file, " + CHECKED_AT_READING),
     "api/pads/press_rungs.cpp": (1, "outside_fault() stands below it"),
     "api/scenes/read_scene_run.cpp": (2, "folders of ours; a recorded path that went through outside_path()"),
-    "api/scenes/simulate_scene.cpp": (1, "a hand's file, " + CHECKED_AT_READING),
+    "api/scenes/open_scene.cpp": (1, "a hand's file, " + CHECKED_AT_READING),
     "live/world/imported_files.cpp": (2, "a hand's file below the session's own folder; a number; both written through InsideFolder"),
     "live/world/live_hand.cpp": (1, "a key of the cache, " + CHECKED_AT_READING),
     "live/world/live_world.cpp": (1, "the session's own folder"),

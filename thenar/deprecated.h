@@ -8,6 +8,7 @@
 #include "api/grasp.h"
 #include "api/moment_arms.h"
 #include "api/pads/press_pad.h"
+#include "api/pose.h"
 #include "api/quality.h"
 #include "api/scenes/simulate_scene.h"
 #include "api/simulate.h"
@@ -18,6 +19,7 @@
 #include "base/units.h"
 #include "data/io/robot/drive_coupling.h"
 #include "data/io/scene/joint_kind.h"
+#include "data/io/scene/scene.h"
 #include "grasp/closing/setup.h"
 
 namespace thenar {
@@ -28,9 +30,13 @@ using RobotDofKind [[deprecated("DriveCoupling")]] = DriveCoupling;
 using SceneJointKind [[deprecated("JointKind")]] = JointKind;
 [[deprecated("kNewtonMillimetre")]] inline constexpr double kNmm = kNewtonMillimetre;
 [[deprecated("kNormal95HalfWidth")]] inline constexpr double kNormal95 = kNormal95HalfWidth;
+[[deprecated("kMaxSceneSamples")]] inline constexpr double kMostSamples = kMaxSceneSamples;
 using TipForceAnswer [[deprecated("TipForceResult")]] = TipForceResult;
 using FeasibleForceAnswer [[deprecated("FeasibleForceResult")]] = FeasibleForceResult;
 using MomentArmAnswer [[deprecated("MomentArmResult")]] = MomentArmResult;
+using PoseAnswer [[deprecated("PoseResult")]] = PoseResult;
+using AskPosture [[deprecated("ComputePosture")]] = ComputePosture;
+using NoAnswer [[deprecated("RecordFailure")]] = RecordFailure;
 using QualityRequest [[deprecated("ContactQualityRequest")]] = ContactQualityRequest;
 using ContactQuality [[deprecated("ContactQualityResult")]] = ContactQualityResult;
 using MotionRequest [[deprecated("DigitMotionRequest")]] = DigitMotionRequest;
@@ -56,6 +62,16 @@ ask_feasible_force(const FeasibleForceRequest& request, const Progress& progress
 [[deprecated("compute_moment_arms()")]] [[nodiscard]] inline MomentArmResult ask_moment_arms(
     const DigitRequest& request, const Progress& progress = {}) {
   return compute_moment_arms(request, progress);
+}
+[[deprecated("compute_poses()")]] [[nodiscard]] inline PoseResult ask_pose(
+    const PoseRequest& request, const Progress& progress = {}) {
+  return compute_poses(request, progress);
+}
+[[deprecated("compute_postures()")]] inline void ask_postures(DigitResult& result,
+                                                              const ComputePosture& compute,
+                                                              const RecordFailure& record,
+                                                              const Progress& progress) {
+  compute_postures(result, compute, record, progress);
 }
 [[deprecated("is_trusted()")]] [[nodiscard]] constexpr bool trusted(TendonStatus status) {
   return is_trusted(status);

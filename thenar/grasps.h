@@ -1,6 +1,7 @@
 #pragma once
 
 /// Grasps of human and robot hands: quality of contacts, closing on objects, comparison.
+/// Example: examples/08_contact_quality.cpp, 09_grasp.cpp, 13_own_object.cpp.
 
 #include "api/close.h"
 #include "api/compare.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 /// Hands and digits: poses, moment arms, fingertip forces and what limits them.
+/// Example: examples/01_pose.cpp .. 04_feasible_force.cpp, 11_own_finger.cpp.
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"

@@ -26,8 +26,8 @@ struct CatalogueEntry {
 };
 
 struct Catalogue {
-  std::vector<CatalogueEntry> entries;
-  std::vector<std::string> warnings;  // files that cannot be read
+  std::vector<CatalogueEntry> entries;  // names, kind by kind
+  std::vector<std::string> warnings;    // files that cannot be read
 };
 
 /// Returns "subjects", "experiments" .. "muscles": what a request may ask for.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,40 +20,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entry of kKnownFolders: the kind of a folder's files, and the command that asks about them, with
-/// @ for the name.
-struct KnownFolder {
-  const char* folder;
-  const char* kind;
-  const char* command;
-};
-constexpr KnownFolder kKnownFolders[] = {
-    {"subjects", "subject", "thenar pose @"},
-    {"robots", "hand", "thenar pose @"},
-    {"worlds", "world", "thenar grasp @"},
-    {"scenes", "scene", "thenar simulate @"},
-    {"pads", "pad", "thenar pad press (pad: @)"},
-    {"presses", "file of measured presses", "thenar pad fit @"},
-    {"objects", "object", "thenar explain @"},
-    {"experiments", "experiment", "thenar fit @"},
-    {"contacts", "file of contacts", "thenar quality @"}};
+// Folders of the data, and the kind of their files
+constexpr std::pair<const char*, const char*> kKnownFolders[] = {
+    {"subjects", "subject"},
+    {"robots", "hand"},
+    {"worlds", "world"},
+    {"scenes", "scene"},
+    {"pads", "pad"},
+    {"presses", "file of measured presses"},
+    {"objects", "object"},
+    {"experiments", "experiment"},
+    {"contacts", "file of contacts"}};
 
-/// "it is a hand: thenar pose barrett", where another folder has that name; else "".
-std::string kind_elsewhere(const std::string& name, const std::string& folder,
-                           const std::vector<std::string>& places) {
-  for (const KnownFolder& known : kKnownFolders) {
-    if (known.folder == folder) continue;
+/// Returns the kind of the file of a name in another folder; absent: there is none.
+std::optional<std::string> kind_elsewhere(const std::string& name, const std::string& folder,
+                                          const std::vector<std::string>& places) {
+  for (const auto& [known, kind] : kKnownFolders) {
+    if (known == folder) continue;
     // Look for the name in every folder and with every ending that thenar reads.
     for (const char* ending : {".toml", ".json", ".jsonl"})
-      if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty()) {
-        std::string command = known.command;
-        command.replace(command.find('@'), 1, name);
-        return fmt::format("it is a{} {}: {}",
-                           known.kind[0] == 'o' || known.kind[0] == 'e' ? "n" : "", known.kind,
-                           command);
-      }
+      if (!find_in(places, (fs::path(known) / (name + ending)).string()).empty()) return kind;
   }
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -116,8 +105,11 @@ std::string named_file(const std::string& what, const std::string& name, const s
     if (!found.empty()) return found;
   }
   // Otherwise explain: a name of another kind, a misspelt one, or an unknown one.
-  const std::string elsewhere = kind_elsewhere(name, folder, places);
-  require(elsewhere.empty(), "there is no {} '{}'; {}", what, name, elsewhere);
+  if (const auto kind = kind_elsewhere(name, folder, places))
+    throw WrongKindError(
+        fmt::format("there is no {} '{}'; it is a{} {}", what, name,
+                    kind->front() == 'o' || kind->front() == 'e' ? "n" : "", *kind),
+        *kind, name);
   const std::vector<std::string> known = names_in(places, folder, ending);
   const std::string meant = did_you_mean(name, known);
   std::error_code none;

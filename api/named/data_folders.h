@@ -3,9 +3,27 @@
 /// Folders of the data that comes with thenar, the same for every question.
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.h"
+
 namespace thenar {
+
+/// Error about a file, or a name of the data, of another kind than wanted.
+struct WrongKindError : InputError {
+  /// @param advice  end of the message: "; a world puts .."
+  WrongKindError(const std::string& what, std::string its_kind, std::string its_name,
+                 std::string its_advice = "")
+      : InputError(what + its_advice),
+        kind(std::move(its_kind)),
+        name(std::move(its_name)),
+        advice(std::move(its_advice)) {}
+
+  std::string kind;    // FileContents::kind of the file, or what the name stands for: "hand"
+  std::string name;    // path or name
+  std::string advice;  // see the constructor
+};
 
 /// Returns folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
 ///   `given` (--data), the environment's THENAR_DATA, ./data, `near`, what was installed with the
@@ -32,8 +50,8 @@ namespace thenar {
 /// Returns the path of a file given by its path, or by the name of a file that comes with thenar:
 /// "barrett_bobbin" of "worlds".
 /// @param what  for messages: "world";  @param folder  "worlds";  @param ending  ".toml"
-/// @throws InputError if there is neither, listing the searched folders and the nearest name, or
-/// the other kind that has this name: "it is a hand: thenar pose barrett".
+/// @throws InputError if there is neither, listing the searched folders and the nearest name;
+/// WrongKindError if another kind has this name: "it is a hand".
 [[nodiscard]] std::string named_file(const std::string& what, const std::string& name,
                                      const std::string& folder, const std::string& ending,
                                      const std::vector<std::string>& places);

@@ -59,8 +59,8 @@ DigitResult begin_digit_result(const DigitCase& at) {
   return result;
 }
 
-void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
-                  const Progress& progress) {
+void compute_postures(DigitResult& result, const ComputePosture& compute,
+                      const RecordFailure& record, const Progress& progress) {
   // Collect failures by kind, so that a thousand equal ones make one warning.
   Outcome& outcome = result.outcome;
   const std::size_t count = outcome.asked;
@@ -72,12 +72,12 @@ void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fa
     const std::string angles = varied_angles(result.rows, result.grid, q);
     // Record a posture without a result as a gap, and continue with the next.
     try {
-      const std::vector<std::string> warnings = ask(q);
+      const std::vector<std::string> warnings = compute(q);
       if (!warnings.empty()) doubts.add(warnings.front(), angles);
     } catch (const InputError& error) {
       if (failures.count == 0) first_failure = std::current_exception();
       failures.add(error.what(), angles);
-      fail(q, error.what());
+      record(q, error.what());
     }
     progress(static_cast<double>(outcome.done + 1) / static_cast<double>(count),
              fmt::format("posture {} of {}", outcome.done + 1, count));

@@ -18,12 +18,12 @@ namespace thenar {
 
 /// Common part of all results about a digit, posture by posture.
 struct DigitResult {
-  Outcome outcome;  // done: postures, or 1 for a map
-  std::string subject, digit;
-  std::string map;                // empty: built from bones and tendons
-  std::string built;              // fidelity, or which map, in words
-  std::vector<std::string> rows;  // rows of the balance: joints, or Fx Fy Fz tx ..
-  std::vector<std::string> muscles;
+  Outcome outcome;                              // done: postures, or 1 for a map
+  std::string subject, digit;                   // names
+  std::string map;                              // empty: built from bones and tendons
+  std::string built;                            // fidelity, or which map, in words
+  std::vector<std::string> rows;                // rows of the balance: joints, or Fx Fy Fz tx ..
+  std::vector<std::string> muscles;             // names of muscles, in the order of tensions
   PostureGrid grid;                             // requested postures; none for a map
   std::shared_ptr<const DigitTendons> tendons;  // tendons for pictures; null for a map
   std::vector<SourceText> sources;              // text of the subject
@@ -38,13 +38,13 @@ struct DigitResult {
 
 /// Computes the result at one posture. @param q  [rad] (coordinates); empty for a map  @return
 /// warnings
-using AskPosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
+using ComputePosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
 /// Records that there is no answer at a posture, and the message that says why.
-using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& message)>;
+using RecordFailure = std::function<void(const Eigen::VectorXd& q, const std::string& message)>;
 
 /// Returns a callback that appends a point with the posture and the message to `points`.
 template <typename Point>
-[[nodiscard]] NoAnswer failure_recorder(std::vector<Point>& points) {
+[[nodiscard]] RecordFailure failure_recorder(std::vector<Point>& points) {
   return [&points](const Eigen::VectorXd& q, const std::string& message) {
     Point point;
     point.q = q;
@@ -53,11 +53,11 @@ template <typename Point>
   };
 }
 
-/// Calls `ask` at every posture in order, until progress requests a stop, and counts the postures.
-/// If only some postures have no result, `fail` is called for each, and a warning counts them.
-/// @throws the exception of `ask`, if there is a single posture or none has an answer
-void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
-                  const Progress& progress);
+/// Computes the result at every posture in order, until progress requests a stop; counts postures.
+/// If only some postures have no result, each is recorded as a failure, and a warning counts them.
+/// @throws the exception of `compute`, if there is a single posture or none has an answer
+void compute_postures(DigitResult& result, const ComputePosture& compute,
+                      const RecordFailure& record, const Progress& progress);
 
 /// Returns the angles of the joints that vary: "PIP3=30 DIP3=10 deg".
 [[nodiscard]] std::string varied_angles(const std::vector<std::string>& joints,

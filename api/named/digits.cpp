@@ -102,9 +102,10 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
   }
   // Tell whether the tendons are those of a net, whose arms depend on tensions.
   at.net = dynamic_cast<const NetTendons*>(at.tendons.get());
-  require(!at.bones().names.muscles.empty(),
-          "no muscle of subject '{}' crosses a free joint of digit '{}'; digits with muscles: {}",
-          at.subject.name, at.digit, listed(digits_with_tendons(at.subject)));
+  require_field(
+      "digit", !at.bones().names.muscles.empty(),
+      "no muscle of subject '{}' crosses a free joint of digit '{}'; digits with muscles: {}",
+      at.subject.name, at.digit, listed(digits_with_tendons(at.subject)));
 }
 
 /// Limits of all postures, and arms that collapse where the joints that vary are not moved yet.
@@ -129,12 +130,17 @@ DigitAtPosture at_map(const DigitCase& at) {
 
 }  // namespace
 
-SourceText subject_source(const std::string& name_or_path, const std::string& data) {
+SourceText subject_source(const std::string& name_or_path, const std::string& data,
+                          const char* field) {
   // Leave folders, pipes and devices of that name to the reader, which reports them.
-  std::error_code none;
-  if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
-  if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
-  return read_source(named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
+  return in_field(field, [&] {
+    std::error_code none;
+    if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
+    return read_source(
+        std::filesystem::exists(name_or_path, none)
+            ? name_or_path
+            : named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
+  });
 }
 
 DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
@@ -148,12 +154,17 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   at.digit = choose_digit(at.subject, request.digit);
   // Use the tip map of a digit without bones, which has a single posture.
   if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
-    at.map = find_tip_map(at.subject, at.digit, request.map).name;
+    at.map = in_field("map", [&] { return find_tip_map(at.subject, at.digit, request.map).name; });
     const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
-    require(request.posture.empty() && request.frozen.empty() && request.vary.empty() && straight,
-            "tip map '{}' is for one posture of its own: it takes no posture, frozen joints, swept "
-            "joints or paths",
-            at.map);
+    const char* field = !request.posture.empty()  ? "posture"
+                        : !request.frozen.empty() ? "frozen"
+                        : !request.vary.empty()   ? "vary"
+                                                  : "path";
+    require_field(
+        field, std::string_view(field) == "path" && straight,
+        "tip map '{}' is for one posture of its own: it takes no posture, frozen joints, swept "
+        "joints or paths",
+        at.map);
     return at;
   }
   // Build the tendons first: the grid of postures needs the names of free joints.
@@ -206,7 +217,7 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
                       find_named(at.subject.muscles, name) == nullptr,
                   "'{}' crosses no free joint of the digit", name);
   // Tensions in the order of the muscles, in newtons; muscles that are not named are slack.
-  Eigen::VectorXd t = in_order(named, muscles, "muscle");
+  Eigen::VectorXd t = in_order(named, muscles, "muscle", "tension");
   for (Eigen::Index i = 0; i < t.size(); ++i) {
     const std::string& muscle = muscles[static_cast<std::size_t>(i)];
     require_field("tension", t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N", muscle, t[i]);
@@ -222,8 +233,8 @@ std::string choose_digit(const Subject& subject, const std::string& asked) {
   require_field("digit", !asked.empty() || names.size() == 1, "choose a digit; subject '{}' has {}",
                 subject.name, listed(names));
   if (asked.empty()) return names.front();
-  require(contains(names, asked), "subject '{}' has no digit '{}'{} there are {}", subject.name,
-          asked, hint_before_list(asked, names), listed(names));
+  require_field("digit", contains(names, asked), "subject '{}' has no digit '{}'{} there are {}",
+                subject.name, asked, hint_before_list(asked, names), listed(names));
   return asked;
 }
 
@@ -303,17 +314,17 @@ std::vector<std::string> known_nets() {
 SourceText net_source(const std::string& name_or_path) {
   if (is_file(name_or_path)) return read_source(name_or_path);
   const auto found = internal::nets().find(name_or_path + ".toml");
-  require(found != internal::nets().end(),
-          "there is no net '{}', nor a file of that name{} nets: {}", name_or_path,
-          hint_before_list(name_or_path, known_nets()), listed(known_nets()));
+  require_field("net", found != internal::nets().end(),
+                "there is no net '{}', nor a file of that name{} nets: {}", name_or_path,
+                hint_before_list(name_or_path, known_nets()), listed(known_nets()));
   return {found->first, std::string(found->second)};
 }
 
 std::string requested_net(const std::optional<Hood>& hood, const std::string& net) {
   if (net.empty()) return hood == Hood::kFloatingNet ? "extensor_hood" : "";
-  require(!hood || hood == Hood::kFloatingNet,
-          "net '{}' needs a hood that is a net, got the hood '{}'", net,
-          hood == Hood::kSeparate ? "separate" : "fractions");
+  require_field("net", !hood || hood == Hood::kFloatingNet,
+                "net '{}' needs a hood that is a net, got the hood '{}'", net,
+                hood == Hood::kSeparate ? "separate" : "fractions");
   return net;
 }
 

@@ -25,7 +25,7 @@ namespace thenar {
 
 /// Options that select a digit, its posture and its model rungs.
 struct DigitRequest {
-  std::string subject;       // a file, or the name of one of subjects/
+  std::string subject;       // a file, or the name of one of subjects/; required
   std::string subject_text;  // text of a subject file, instead of a file;
                              // `subject` is then its name in messages and records
   std::string digit;         // empty: the only one that the subject has
@@ -43,9 +43,9 @@ struct DigitRequest {
 
 /// Digit built from a request.
 struct DigitCase {
-  std::vector<SourceText> sources;  // texts of the subject and of a net
-  Subject subject;
-  std::string digit;
+  std::vector<SourceText> sources;               // texts of the subject and of a net
+  Subject subject;                               // subject, with passive moments as requested
+  std::string digit;                             // name of the digit
   std::string map;                               // empty: built from bones
   TendonOptions rungs;                           // options by which the tendons were built
   PassiveMoments passive = PassiveMoments::kOn;  // requested setting, already applied to `subject`
@@ -59,18 +59,18 @@ struct DigitCase {
 
 /// Static balance of one digit at one posture, with the names of its rows and columns.
 struct DigitAtPosture {
-  std::string subject;
-  std::string digit;
+  std::string subject;                      // name of the subject
+  std::string digit;                        // name of the digit
   std::string map;                          // empty: built from bones and tendons
   std::string built;                        // fidelity, or which map, in words
   std::vector<std::string> rows;            // rows of the balance: joints, or Fx Fy Fz tx ..
   Eigen::VectorXd q;                        // [rad] (joints); empty for a map
   std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial, world frame (3, 3)
-  TipStatics statics;
-  std::vector<StaticsDerivative> slopes;  // derivatives by each joint; empty for a map
-  double condition;                       // condition number of the tip's Jacobian [1]
-  std::vector<std::string> warnings;      // warnings about its tendons
-  Eigen::Vector3d tip{0, 0, 0};           // position of the tip, world frame [m] (3); 0 for a map
+  TipStatics statics;                       // balance J' f + W' m = R' t + tau_0
+  std::vector<StaticsDerivative> slopes;    // derivatives by each joint; empty for a map
+  double condition;                         // condition number of the tip's Jacobian [1]
+  std::vector<std::string> warnings;        // warnings about its tendons
+  Eigen::Vector3d tip{0, 0, 0};             // position of the tip, world frame [m] (3); 0 for a map
   std::optional<Eigen::Vector3d> plane_normal = {};  // unit, where all axes are parallel (3)
 };
 
@@ -94,8 +94,10 @@ inline constexpr double kMaxTension = 1e4;
                                        const std::map<std::string, double>& named);
 
 /// Returns the path and text of a subject given by the path of its file or by its name.
+/// @param field  field of the request, which errors name
 /// @throws InputError listing the searched folders and the nearest name; DataError if it is wrong.
-[[nodiscard]] SourceText subject_source(const std::string& name_or_path, const std::string& data);
+[[nodiscard]] SourceText subject_source(const std::string& name_or_path, const std::string& data,
+                                        const char* field = "subject");
 
 /// Returns the name itself if the subject has such a digit, the only digit if the name is empty.
 /// @throws InputError listing the subject's digits.

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/named/data_folders.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/lists.h"
 #include "base/nearest_name.h"
-#include "base/run_record.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/file_kind.h"
@@ -25,52 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Command lines that accept a file of a kind; @ is replaced by the file.
-struct KindCommands {
-  const char* kind;
-  std::vector<std::string> lines;
-};
-
-const std::vector<KindCommands>& commands_by_kind() {
-  static const std::vector<KindCommands> table{
-      {"subject", {"thenar explain @", "thenar pose @", "thenar fit EXPERIMENT (subject: @)"}},
-      {"experiment", {"thenar explain @", "thenar fit @"}},
-      {"fit settings", {"thenar explain SUBJECT (settings: @)"}},
-      {"proportions", {"thenar validate @"}},
-      {"net", {"thenar explain @", "thenar tendon solve SUBJECT (net: @)"}},
-      {"materials", {"thenar explain @"}},
-      {"robot", {"thenar pose @", "thenar explain @", "thenar import @"}},
-      {"object", {"thenar explain @", "thenar import @"}},
-      {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
-      {"scene", {"thenar simulate @", "thenar validate @"}},
-      {"pad", {"thenar pad press (pad: @)", "thenar pad laws (pad: @)", "thenar validate @"}},
-      {"presses of a pad", {"thenar pad fit @", "thenar validate @"}},
-      {"mesh", {"thenar import @"}},
-      {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
-      {"posterior",
-       {"thenar posterior summary @", "thenar posterior predict @ EXPERIMENT",
-        "thenar posterior plot @"}},
-      {"motion", {"thenar validate @", "thenar rerun @"}},
-      {"scene run", {"thenar validate @", "thenar rerun @"}},
-      {"page", {"thenar rerun @"}},
-      {"answer", {"thenar rerun @"}},
-      {"contacts", {"thenar quality @"}},
-      {"comparison", {"thenar compare (output: @)"}},
-  };
-  return table;
-}
-
-std::vector<std::string> commands_for(const std::string& kind, const std::string& path) {
-  const std::string word = shell_word(path);
-  for (const KindCommands& known : commands_by_kind()) {
-    if (known.kind != kind) continue;
-    std::vector<std::string> lines = known.lines;
-    for (std::string& line : lines) line.replace(line.find('@'), 1, word);
-    return lines;
-  }
-  return {};
-}
-
 bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
@@ -84,24 +38,24 @@ FileContents of_hdf5(const std::string& path) {
     try_in_fork(path, seconds_to_read(bytes.size()), [&] { (void)guard_hdf5(bytes, path); });
     keys = guard_hdf5(bytes, path);
   } catch (const Error&) {
-    return {"", "HDF5", {}};  // damaged
+    return {"", "HDF5"};  // damaged
   }
   // Tell kinds apart by groups that only one of them has.
   const auto has = [&](const std::string& start) {
     return any_of(keys, [&](const std::string& key) { return starts_with(key, start); });
   };
-  if (has("fit/z")) return {"fit", "HDF5", {}};
-  if (has("unconstrained_posterior/") || has("posterior/")) return {"posterior", "netCDF", {}};
-  if (has("excitation") && has("excursion")) return {"motion", "HDF5", {}};
-  if (has("scene")) return {"scene run", "HDF5", {}};
-  return {"", "HDF5", {}};
+  if (has("fit/z")) return {"fit", "HDF5"};
+  if (has("unconstrained_posterior/") || has("posterior/")) return {"posterior", "netCDF"};
+  if (has("excitation") && has("excursion")) return {"motion", "HDF5"};
+  if (has("scene")) return {"scene run", "HDF5"};
+  return {"", "HDF5"};
 }
 
 FileContents of_robot(const std::string& path) {
   try {
-    return {"robot", name_of(find_robot_kind(path)), {}};
+    return {"robot", name_of(find_robot_kind(path))};
   } catch (const DataError&) {
-    return {"", "XML", {}};
+    return {"", "XML"};
   }
 }
 
@@ -110,13 +64,13 @@ FileContents of_xml(const std::string& path, const std::string& start) {
   try {
     root = XmlFile(path).root_name();
   } catch (const DataError&) {
-    return {"", "XML", {}};  // broken
+    return {"", "XML"};  // broken
   }
   // Distinguish GraspIt! worlds, URDF and MJCF by the root element.
-  if (root == "world") return {"world", "GraspIt! XML", {}};
+  if (root == "world") return {"world", "GraspIt! XML"};
   if (root == "robot" || root == "mujoco" || root == "mujocoinclude") return of_robot(path);
-  if (start.find("<geometryFile") != std::string::npos) return {"object", "GraspIt! XML", {}};
-  return {"", "XML", {}};
+  if (start.find("<geometryFile") != std::string::npos) return {"object", "GraspIt! XML"};
+  return {"", "XML"};
 }
 
 /// Finds the kind of a JSON file by names of members in its first part.
@@ -125,17 +79,17 @@ FileContents of_json(const std::string& start) {
     return start.find(fmt::format("\"{}\"", member)) != std::string::npos;
   };
   if (has("contacts") && (has("torque_scale") || has("position") || has("wrenches")))
-    return {"contacts", "JSON", {}};
-  if (has("torque_scale_m") && has("centre_of_mass_m")) return {"contacts", "JSON", {}};  // a grasp
-  if (has("inputs") && has("approaches") && has("objects")) return {"comparison", "JSON", {}};
-  if (has("provenance")) return {"answer", "JSON", {}};
-  return {"", "JSON", {}};
+    return {"contacts", "JSON"};
+  if (has("torque_scale_m") && has("centre_of_mass_m")) return {"contacts", "JSON"};  // a grasp
+  if (has("inputs") && has("approaches") && has("objects")) return {"comparison", "JSON"};
+  if (has("provenance")) return {"answer", "JSON"};
+  return {"", "JSON"};
 }
 
 FileContents of_html(const std::string& path) {
   const std::string text = read_source(path).text;
   const bool page = text.find("id=\"thenar-report\"") != std::string::npos;
-  return {page ? "page" : "", "HTML", {}};
+  return {page ? "page" : "", "HTML"};
 }
 
 /// The first character that is no blank; 0 in an empty text.
@@ -149,8 +103,8 @@ FileContents look_into(const std::string& path) {
   // HDF5 files have a signature of their own, so their ending does not matter.
   if (has_hdf5_start(path)) return of_hdf5(path);
   const std::string ending = fs::path(path).extension();
-  if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML", {}};
-  if (is_mesh_file(path)) return {"mesh", ending.substr(1), {}};
+  if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML"};
+  if (is_mesh_file(path)) return {"mesh", ending.substr(1)};
   // Recognise other formats by their ending or their first character.
   const std::string start = read_start(path, kStartBytes);
   if (ending == ".html" || ending == ".htm") return of_html(path);
@@ -158,9 +112,9 @@ FileContents look_into(const std::string& path) {
   if (first_sign(start) == '{') return of_json(start);
   // A text without a known ending may still be TOML.
   try {
-    return {name_of(find_file_kind(path)), "TOML", {}};
+    return {name_of(find_file_kind(path)), "TOML"};
   } catch (const DataError&) {
-    return {"", "", {}};
+    return {"", ""};
   }
 }
 
@@ -218,11 +172,19 @@ void require_result_path(const std::string& path) {
 FileContents contents_of(const std::string& path) {
   std::error_code none;
   require(fs::exists(path, none), "{}", absent(path));
-  if (fs::is_directory(path, none)) return {"folder", "", {}};
+  if (fs::is_directory(path, none)) return {"folder", ""};
   if (!is_file(path)) return {};  // a pipe or a device: whoever reads it says so
-  FileContents found = look_into(path);
-  found.commands = commands_for(found.kind, path);
-  return found;
+  return look_into(path);
+}
+
+std::string requested_file(const char* field, const std::string& kind, const std::string& name,
+                           const std::string& folder, const std::string& data,
+                           const std::string& hint) {
+  return in_field(field, [&] {
+    std::string file = named_file(kind, name, folder, ".toml", data_folders(data));
+    require_kind(file, {kind}, hint);
+    return file;
+  });
 }
 
 void require_kind(const std::string& path, const std::vector<std::string>& kinds,
@@ -234,17 +196,13 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
     return;  // the reader reports the error
   }
   if (found.kind.empty() || contains(kinds, found.kind)) return;
-  // Name the found kind, the accepted kinds, and the commands that accept the file.
+  // Name the found kind and the accepted kinds.
   const std::vector<std::string> wanted =
       transformed(kinds, [](const std::string& kind) { return with_article(kind); });
-  std::string ways;
-  if (!found.commands.empty())
-    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "try" : "commands that take it",
-                       fmt::join(found.commands, ", "));
   const bool part = found.kind == "robot" || found.kind == "object" || found.kind == "mesh";
-  if (part && !hint.empty()) ways += "; " + hint;
-  throw InputError(fmt::format("'{}' is {}, wanted {}{}", path, with_article(found.kind),
-                               fmt::join(wanted, " or "), ways));
+  throw WrongKindError(fmt::format("'{}' is {}, wanted {}", path, with_article(found.kind),
+                                   fmt::join(wanted, " or ")),
+                       found.kind, path, part && !hint.empty() ? "; " + hint : "");
 }
 
 }  // namespace thenar

@@ -26,8 +26,7 @@ struct FileContents {
   // "world", "scene", "pad", "presses of a pad", "mesh", "fit", "posterior", "motion", "scene run",
   // "contacts", "comparison", "page", "answer", "folder"; "": unknown
   std::string kind;
-  std::string format;                 // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
-  std::vector<std::string> commands;  // command lines that accept it: "thenar explain hand.toml"
+  std::string format;  // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
 };
 
 /// Finds the kind of a file by its content, of meshes by the ending of the name. A damaged binary
@@ -36,13 +35,22 @@ struct FileContents {
 /// TOML file is wrong or of no known kind.
 [[nodiscard]] FileContents contents_of(const std::string& path);
 
-/// Throws InputError for a file that is known to be of another kind:
-/// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
+/// Returns the file that a request names: its path, or a name of the data. The kind is checked.
+/// @param field   field of the request, which errors name
+/// @param kind    "world", see FileContents::kind;  @param folder  "worlds"
+/// @param data    folder with worlds/ ..; empty: the usual ones
+/// @throws InputError as named_file() and require_kind()
+[[nodiscard]] std::string requested_file(const char* field, const std::string& kind,
+                                         const std::string& name, const std::string& folder,
+                                         const std::string& data, const std::string& hint = "");
+
+/// Throws WrongKindError for a file that is known to be of another kind:
+/// "'P.nc' is a posterior, wanted a fit".
 /// Files of unknown kind, and those that cannot be parsed, are accepted here: their reader reports
 /// the error.
 /// @param kinds  accepted kinds, see FileContents::kind
 /// @param hint   advice for a robot, an object or a mesh; empty: none
-/// @throws InputError as above, or if there is no file
+/// @throws WrongKindError as above, InputError if there is no file
 void require_kind(const std::string& path, const std::vector<std::string>& kinds,
                   const std::string& hint = "");
 

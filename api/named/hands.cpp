@@ -1,6 +1,7 @@
 #include "api/named/hands.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,13 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHuman = "human";
-constexpr const char* kTendons = "tendons";  // the version whose hands close by their tendons
-constexpr const char* kSkewed = "skewed";    // the richest version that needs no tendons
 
-NamedHand human(const std::string& name, const Subject& subject, const std::string& version,
+NamedHand human(const std::string& name, const Subject& subject, HumanVersion version,
                 const HumanHandOptions& options) {
   // Build the hand, then move its parts into the common form.
-  HumanHand built = build_human_hand(subject, human_version(version), options);
+  HumanHand built = build_human_hand(subject, version, options);
   NamedHand hand;
   hand.name = name;
   hand.hand = std::move(built.hand);
@@ -45,7 +44,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.warnings = std::move(built.warnings);
   // Tendons close the hand at rates that the flexors' largest tensions give; other versions close
   // joint by joint.
-  if (version == kTendons)
+  if (version == HumanVersion::kTendonNet)
     hand.rates = tendon_closing_rates(*hand.hand, max_flexor_tensions(*hand.hand));
   return hand;
 }
@@ -69,8 +68,8 @@ NamedHand robot(const std::string& name, const std::string& file) {
 
 /// Returns the source of a hand's file, with or without a version. @throws InputError if the file
 /// is neither a subject nor a robot
-HandSource file_source(const std::string& file, const std::string& version,
-                       const std::string& path) {
+HandSource file_source(const std::string& file, std::optional<HumanVersion> version,
+                       std::optional<Path> path) {
   require(
       !is_mesh_file(file),
       "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
@@ -79,15 +78,13 @@ HandSource file_source(const std::string& file, const std::string& version,
   if (fs::path(file).extension() == ".toml") {
     require_kind(file, {"robot", "subject"});
     const FileKind kind = find_file_kind(file);
-    if (kind == FileKind::kSubject) return {true, file, version.empty() ? kSkewed : version, path};
+    // A file without a version has the richest one that needs no tendons.
+    if (kind == FileKind::kSubject)
+      return {true, file, version.value_or(HumanVersion::kSkewedThumb), path};
   }
-  require(version.empty(), "'{}' is a robot and has no version '{}'", file, version);
-  return {false, file, "", ""};
-}
-
-/// The version by its name of today; "" stays.
-std::string current_version(const std::string& version) {
-  return version.empty() ? "" : name_in(kHumanVersionNames, human_version(version));
+  require(!version, "'{}' is a robot and has no version '{}'", file,
+          version ? name_in(kHumanVersionNames, *version) : "");
+  return {false, file, {}, {}};
 }
 
 constexpr const char* kPassiveOff = "passive-off";
@@ -125,9 +122,11 @@ HandName split_name(const std::string& name) {
 
 }  // namespace
 
-std::string robot_file(const std::string& name, const std::vector<std::string>& places) {
-  if (name.empty() || name.find('/') != std::string::npos) return "";
-  return find_in(places, (fs::path("robots") / (name + ".toml")).string());
+std::optional<std::string> robot_file(const std::string& name,
+                                      const std::vector<std::string>& places) {
+  if (name.empty() || name.find('/') != std::string::npos) return {};
+  const std::string file = find_in(places, (fs::path("robots") / (name + ".toml")).string());
+  return file.empty() ? std::nullopt : std::optional(file);
 }
 
 namespace {
@@ -136,14 +135,15 @@ namespace {
 HandSource find_source(const std::string& name, const HandName& parts,
                        const std::vector<std::string>& places) {
   // Understand old names of versions, and refuse unknown paths before anything is read.
-  const auto& [base, typed, path, passive] = parts;
-  const std::string version = current_version(typed);
-  if (!path.empty()) (void)path_named(path);  // refuses others
+  const std::string& base = parts.base;
+  std::optional<HumanVersion> version;
+  std::optional<Path> path;
+  if (!parts.version.empty()) version = human_version(parts.version);
+  if (!parts.path.empty()) path = path_named(parts.path);
   // The built-in human, then a file, then a name in the data folders.
-  if (base == kHuman) return {true, "", version.empty() ? kTendons : version, path};
+  if (base == kHuman) return {true, "", version.value_or(HumanVersion::kTendonNet), path};
   if (is_file(base)) return file_source(base, version, path);
-  const std::string library = robot_file(base, places);
-  if (!library.empty()) return file_source(library, version, path);
+  if (const auto library = robot_file(base, places)) return file_source(*library, version, path);
   // A hand that there is, with a version that there is not.
   if (const std::size_t colon = name.rfind(':'); colon != std::string::npos)
     if (const std::string whose = name.substr(0, colon); whose == kHuman || is_file(whose))
@@ -168,7 +168,8 @@ HandSource find_hand(const std::string& name, const std::vector<std::string>& pl
 std::string current_hand_name(const std::string& name) {
   const auto [base, version, path, passive] = split_name(name);
   if (version.empty()) return name;
-  return base + ":" + current_version(version) + (path.empty() ? "" : ":" + path) +
+  return base + ":" + name_in(kHumanVersionNames, human_version(version)) +
+         (path.empty() ? "" : ":" + path) +
          (passive == PassiveMoments::kOn ? "" : std::string(":") + kPassiveOff);
 }
 
@@ -184,9 +185,9 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
   // Words behind the name take precedence over options of the request.
   HumanHandOptions human_options = options;
-  if (!source.path.empty()) human_options.path = path_named(source.path);
+  if (source.path) human_options.path = source.path;
   if (source.passive == PassiveMoments::kOff) human_options.passive = source.passive;
-  NamedHand hand = human(current_hand_name(name), subject, source.version, human_options);
+  NamedHand hand = human(current_hand_name(name), subject, *source.version, human_options);
   hand.file = source.file;
   if (!source.file.empty()) hand.files = digests_of({source.file});
   return hand;

@@ -3,6 +3,7 @@
 /// Hands by the names that commands accept.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,10 @@ namespace thenar {
 struct NamedHand {
   std::string name;  // requested name, with old version names replaced: current_hand_name()
   std::string file;  // file that the hand was built from; empty: the built-in human
-  std::shared_ptr<const Hand> hand;
-  ContactModel contact = ContactModel::kHardPoint;
-  std::vector<SkinPatch> patches;         // pads and nails of a human hand
-  std::vector<OppositionTarget> targets;  // targets of Kapandji's score, for a human hand
+  std::shared_ptr<const Hand> hand;                 // never null
+  ContactModel contact = ContactModel::kHardPoint;  // contact model of its surfaces
+  std::vector<SkinPatch> patches;                   // pads and nails of a human hand
+  std::vector<OppositionTarget> targets;            // targets of Kapandji's score, for a human hand
   ClosingRates rates;  // closing rates of a hand that tendons close; empty: its drives close it
   std::shared_ptr<const Skeleton> skeleton;  // skeleton of a human hand; null: a robot
   Path path = Path::kNone;                   // HumanHand::path of a human hand
@@ -30,10 +31,10 @@ struct NamedHand {
 
 /// Data from which a hand of a given name is built.
 struct HandSource {
-  bool human = false;   // true: a subject; false: a robot
-  std::string file;     // empty: the built-in human
-  std::string version;  // version of a human hand: one of kHumanVersionNames
-  std::string path;     // tendon paths: "via", "fitted" or "wrapped"; empty: default_path()
+  bool human = false;                   // true: a subject; false: a robot
+  std::string file;                     // empty: the built-in human
+  std::optional<HumanVersion> version;  // version of a human hand; absent: a robot
+  std::optional<Path> path;             // tendon paths of a human hand; absent: default_path()
   PassiveMoments passive = PassiveMoments::kOn;  // passive moments of its joints
 };
 
@@ -68,8 +69,8 @@ struct HandSource {
 /// ":tendons:via"; "" if there is none.
 [[nodiscard]] std::string version_of_hand(const std::string& name);
 
-/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
-[[nodiscard]] std::string robot_file(const std::string& name,
-                                     const std::vector<std::string>& places);
+/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; absent: there is none.
+[[nodiscard]] std::optional<std::string> robot_file(const std::string& name,
+                                                    const std::vector<std::string>& places);
 
 }  // namespace thenar

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -13,22 +12,21 @@ namespace {
 /// Gives a tissue another law.
 void change_law(const PadRequest& request, PadTissueSpec& tissue) {
   if (!request.law.empty()) {
-    (void)index_of_name(request.law, tissue_law_names(), "law of tissue");
+    (void)index_of_name(request.law, tissue_law_names(), "law of tissue", "law");
     tissue.law = request.law;
   }
-  require(!request.exponent || has_exponent(tissue.law), "the law '{}' has no exponent",
-          tissue.law);
+  require_field("exponent", !request.exponent || has_exponent(tissue.law),
+                "the law '{}' has no exponent", tissue.law);
   if (request.exponent) tissue.exponent = *request.exponent;
-  require(!has_exponent(tissue.law) || tissue.exponent != 0,
-          "the law '{}' needs an exponent, and the pad's file gives none", tissue.law);
+  require_field("law", !has_exponent(tissue.law) || tissue.exponent != 0,
+                "the law '{}' needs an exponent, and the pad's file gives none", tissue.law);
 }
 
 }  // namespace
 
 NamedPad open_pad(const PadRequest& request) {
   NamedPad pad;
-  pad.path = named_file("pad", request.pad, "pads", ".toml", data_folders(request.data));
-  require_kind(pad.path, {"pad"});
+  pad.path = requested_file("pad", "pad", request.pad, "pads", request.data);
   pad.spec = read_pad(pad.path);
   // Change what the request states otherwise than the file.
   change_law(request, pad.spec.pulp);

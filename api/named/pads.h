@@ -22,7 +22,7 @@ struct PadRequest {
 struct NamedPad {
   std::string path;  // path of its file
   PadSpec spec;      // numbers of the file with the requested changes
-  PadModel model;
+  PadModel model;    // model built from `spec`
 };
 
 /// Finds, reads and builds a pad.

@@ -21,8 +21,8 @@ struct FileCopies {
 
 /// World to be saved, and the files to be copied with it.
 struct PortableWorld {
-  WorldSpec world;
-  std::vector<FileCopies> copies;
+  WorldSpec world;                 // world with relative paths and names
+  std::vector<FileCopies> copies;  // files that the world needs
 };
 
 /// Reads a world, whose hands and objects may be given by name.

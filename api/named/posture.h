@@ -24,7 +24,7 @@ enum class PostureUnit {
 struct PostureRequest {
   std::map<std::string, double> named;  // joint -> value
   std::vector<double> in_order;         // angles of every joint, in order
-  PostureUnit unit = PostureUnit::kSI;
+  PostureUnit unit = PostureUnit::kSI;  // unit of all values
 
   [[nodiscard]] bool empty() const { return named.empty() && in_order.empty(); }
 };
@@ -32,8 +32,8 @@ struct PostureRequest {
 /// Joint that varies from `from` in steps up to `to`, which is not passed, in the unit of its
 /// posture.
 struct Vary {
-  std::string joint;
-  double from, to, step;
+  std::string joint;      // name of a free joint
+  double from, to, step;  // first value, largest or smallest value, and difference; not 0
 };
 
 /// Postures at which a result is computed.
@@ -53,11 +53,12 @@ inline constexpr std::size_t kMaxPostures = 1000000;
 [[nodiscard]] std::vector<double> steps_of(const Vary& vary, const std::string& unit);
 
 /// Returns the numbers in the order of `names`, zero for names that are not given (names).
-/// @param kind  word for a name in messages: "muscle"
+/// @param kind   word for a name in messages: "muscle"
+/// @param field  field of the request that has the names, for the error; empty: none
 /// @throws InputError for a name that is not among `names`, with the nearest one and all others.
 [[nodiscard]] Eigen::VectorXd in_order(const std::map<std::string, double>& named,
                                        const std::vector<std::string>& names,
-                                       const std::string& kind);
+                                       const std::string& kind, const std::string& field = "");
 
 /// Returns the coordinates of a skeleton [rad] (coordinates).
 /// @throws InputError for an unknown joint or a wrong count.

@@ -53,10 +53,10 @@ std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
 /// The robot's file, for mounting. @throws InputError if it is no robot.
 std::string file_of(const WorldSpec& world, const PlacedHand& placed, const Places& data) {
   if (!placed.file.empty()) return beside(world, placed.file);
-  std::string library = robot_file(placed.name, data);
-  require(!library.empty(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
+  const std::optional<std::string> library = robot_file(placed.name, data);
+  require(library.has_value(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
           placed.name, places_words(data));
-  return library;
+  return *library;
 }
 
 std::size_t index_of(const WorldSpec& world, const std::string& name) {
@@ -80,8 +80,9 @@ std::size_t chosen(const WorldSpec& world, const std::string& name, const std::s
   // A name has to be one of the world's.
   if (!name.empty()) {
     const std::size_t index = index_of(world, name);
-    require(index < world.hands.size(), "{}: the world has no hand '{}'{} it has {}", path, name,
-            hint_before_list(name, names_of(world)), world.hands.empty() ? "none" : listed);
+    require_field("hand", index < world.hands.size(), "{}: the world has no hand '{}'{} it has {}",
+                  path, name, hint_before_list(name, names_of(world)),
+                  world.hands.empty() ? "none" : listed);
     return index;
   }
   // Without a name there must be exactly one hand that carries no other.
@@ -254,16 +255,16 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 std::string world_file(const WorldRequest& request) {
   // Accept a path or a name of the data, and refuse other kinds of files.
   std::string file =
-      named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
-  require_kind(file, {"world"},
-               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
+      requested_file("world", "world", request.world, "worlds", request.data,
+                     "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
   // Size of the start of its text: a byte order mark and blank lines may lead [bytes]
   constexpr std::size_t kTextStartBytes = 4096;
   // Worlds of GraspIt! are XML, and have to be imported first.
   const std::string start = read_start(file, kTextStartBytes);
   const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  require(sign == std::string::npos || start[sign] != '<',
-          "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here", file);
+  require_field("world", sign == std::string::npos || start[sign] != '<',
+                "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here",
+                file);
   return file;
 }
 
@@ -275,14 +276,15 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
-  found.setup = build_setup(found.world, request.object);
+  found.setup = in_field("object", [&] { return build_setup(found.world, request.object); });
   // Use the hand of the world, mounted on its carriers.
   const HumanHandOptions human = human_of(request, progress);
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data, human);
   } else {
     // A hand from elsewhere starts open; a planner gives it its place.
-    found.hand.named = hand_by_name(request.hand, found.data, human);
+    found.hand.named =
+        in_field("hand", [&] { return hand_by_name(request.hand, found.data, human); });
     found.hand.q = open_posture(found.hand.named.hand->layout());
   }
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());

@@ -15,7 +15,7 @@ namespace thenar {
 
 /// Hand of a world, with its pose and posture.
 struct WorldHand {
-  NamedHand named;
+  NamedHand named;    // hand with its name and files
   Pose<double> X_WH;  // pose of its frame; of a mounted hand, of the frame of the last carrier
   Eigen::VectorXd q;  // of the world, else of the start of closing (coordinates)
   std::vector<std::size_t> parts;  // indices in WorldSpec::hands: the hand, what carries it, what
@@ -27,7 +27,7 @@ struct WorldHand {
 
 /// Options that select a world, a hand and an object in it.
 struct WorldRequest {
-  std::string world;         // a file, or the name of one of worlds/
+  std::string world;         // a file, or the name of one of worlds/; required
   std::string hand, object;  // names; empty: the only ones
   std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
   bool pictures = false;     // build human hands for pictures, finer than for collisions
@@ -40,10 +40,10 @@ struct WorldRequest {
 struct WorldCase {
   std::string path;               // path of the world
   std::vector<std::string> data;  // folders where hands are found by name
-  WorldSpec world;
-  WorldHand hand;
-  GraspSetup setup;
-  FileDigests files;  // digests of the files of the world, its bodies and the hand
+  WorldSpec world;                // world as its file states it
+  WorldHand hand;                 // hand that grasps, in its pose and posture
+  GraspSetup setup;               // object, obstacles and materials
+  FileDigests files;              // digests of the files of the world, its bodies and the hand
 };
 
 /// Reads a world and builds the requested hand and setup.

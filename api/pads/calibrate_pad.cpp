@@ -27,9 +27,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 void check(const PadLawsRequest& request) {
-  require(request.force_error > 0 && request.force_error < 1,
-          "wanted an error of the elements' force above 0 and below 100 %, got {:g} %",
-          100 * request.force_error);
+  require_field("force_error", request.force_error > 0 && request.force_error < 1,
+                "wanted an error of the elements' force above 0 and below 100 %, got {:g} %",
+                100 * request.force_error);
   require(request.max_penetration > 0 && request.max_elements > 0,
           "wanted a penetration above 0 m and more than 0 elements, got {} m and {}",
           request.max_penetration, request.max_elements);

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Calibration of a pad's reduced contact laws against its own finite elements.
+///
+///     PadLawsRequest request;
+///     request.pad.pad = "index_pad";
+///     const PadLaws laws = calibrate_pad(request);
 
 #include <optional>
 #include <string>
@@ -15,7 +19,7 @@ namespace thenar {
 
 /// Options of calibrate_pad(): a pad, its presses, and the accuracy of the elements.
 struct PadLawsRequest {
-  PadRequest pad;
+  PadRequest pad;                  // pad whose laws are found
   double force_error = 0.04;       // largest estimated error of the force of accepted meshes [1]
   double max_penetration = 20e-6;  // largest penetration between nodes [m]
   int max_elements = 4000;         // limit of refinement
@@ -32,16 +36,16 @@ struct LawForces {
 
 /// Press of the elements, with the forces of the laws.
 struct LawPress {
-  bool fitted = true;  // false: one of the presses on which errors are measured
-  MeasuredPress elements;
+  bool fitted = true;             // false: one of the presses on which errors are measured
+  MeasuredPress elements;         // press as elements compute it
   std::optional<LawForces> laws;  // absent: no laws
 };
 
 /// Result of a calibration.
 struct [[nodiscard]] PadLaws {
-  PadLawsRequest request;
-  Outcome outcome;  // its status is that of the calibration
-  NamedPad pad;
+  PadLawsRequest request;         // request that was answered
+  Outcome outcome;                // its status is that of the calibration
+  NamedPad pad;                   // pad that was pressed
   std::vector<double> depths;     // depths of the presses that laws are fitted to [m]
   std::vector<LawPress> presses;  // presses that the elements solved, those of the fit first
   LawCalibration calibration;     // without laws if stopped, or after too few presses

@@ -132,8 +132,8 @@ void add_curves(FittedPad& out, const Progress& progress) {
 
 FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   // Read the data and open the pad that they name.
-  require(request.points >= 1 && request.points <= kMaxCurvePoints,
-          "wanted 1 to {} points of a curve, got {}", kMaxCurvePoints, request.points);
+  require_field("points", request.points >= 1 && request.points <= kMaxCurvePoints,
+                "wanted 1 to {} points of a curve, got {}", kMaxCurvePoints, request.points);
   FittedPad out;
   out.request = request;
   const std::string path = named_file("file of measured presses", request.presses, "presses",

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Constants of a finger pad, fitted to measured presses.
+///
+///     PadFitRequest request;
+///     request.presses = "index_published";
+///     const FittedPad fitted = fit_pad(request);
 
 #include <string>
 #include <vector>
@@ -16,7 +20,7 @@ namespace thenar {
 
 /// Options of a pad fit: the measured presses and the pad.
 struct PadFitRequest {
-  std::string presses;             // a data file, or the name of one of presses/
+  std::string presses;             // a data file, or the name of one of presses/; required
   std::string pad;                 // a file, or a name of pads/; empty: as the data file says
   std::string data;                // folder with presses/ and pads/; empty: the usual ones
   bool check_mesh = true;          // repeat the presses of the estimate on finer cells
@@ -32,13 +36,13 @@ struct FittedCurve {
 
 /// Result of a pad fit.
 struct [[nodiscard]] FittedPad {
-  PadFitRequest request;
-  Outcome outcome;  // stalled: the search did not converge, and that was not allowed
-  PadData data;
-  NamedPad pad;  // initial pad, except initial values that the data file states
-  PadFitProblem problem;
-  PadFitResult fit;                 // result; without estimates if stopped before the first
-  PadSpec spec;                     // pad with the estimates; without estimates, the initial one
+  PadFitRequest request;  // request that was answered
+  Outcome outcome;        // stalled: the search did not converge, and that was not allowed
+  PadData data;           // measured presses
+  NamedPad pad;           // initial pad, except initial values that the data file states
+  PadFitProblem problem;  // residuals and parameters
+  PadFitResult fit;       // result; without estimates if stopped before the first
+  PadSpec spec;           // pad with the estimates; without estimates, the initial one
   std::vector<FittedCurve> curves;  // curve of each press of the data; none without estimates
 };
 

@@ -88,8 +88,8 @@ PressObject open_edge(double radius, double size) {
 }
 
 PressObject open_mesh(const PressObjectRequest& request) {
-  require(request.scale > 0 && std::isfinite(request.scale),
-          "wanted a mesh's scale above 0 m per unit, got {}", request.scale);
+  require_field("scale", request.scale > 0 && std::isfinite(request.scale),
+                "wanted a mesh's scale above 0 m per unit, got {}", request.scale);
   // Place the mesh so that its highest point touches the origin, midway between its sides.
   ShapeSpec spec;
   spec.kind = ShapeKind::kMesh;
@@ -103,8 +103,8 @@ PressObject open_mesh(const PressObjectRequest& request) {
 
 double radius_of(const PressObjectRequest& request, double usual) {
   const double radius = request.radius.value_or(usual);
-  require(radius > 0 && radius <= kEndlessLength,
-          "wanted a radius above 0, of at most {:g} m, got {:g} m", kEndlessLength, radius);
+  require_field("radius", radius > 0 && radius <= kEndlessLength,
+                "wanted a radius above 0, of at most {:g} m, got {:g} m", kEndlessLength, radius);
   return radius;
 }
 
@@ -152,20 +152,22 @@ PressObject open_press_object(const PressObjectRequest& request, double size) {
   if (request.name == "sphere") return open_sphere(radius_of(request, kUsualRadius));
   if (request.name == "cylinder") return open_cylinder(radius_of(request, kUsualRadius), size);
   if (request.name == "edge") return open_edge(radius_of(request, kEdgeRadius), size);
-  require(!request.radius, "an object '{}' has no radius", request.name);
+  require_field("radius", !request.radius, "an object '{}' has no radius", request.name);
   if (request.name == "plane") return open_plane(size);
   const std::string meant = did_you_mean(request.name, press_object_names());
-  require(is_file(request.name), "there is no object '{}'{} {}, or a mesh file", request.name,
-          meant.empty() ? ": wanted" : meant + " Wanted", listed(press_object_names()));
+  require_field("object", is_file(request.name), "there is no object '{}'{} {}, or a mesh file",
+                request.name, meant.empty() ? ": wanted" : meant + " Wanted",
+                listed(press_object_names()));
   return open_mesh(request);
 }
 
 PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle, double turn) {
   // Beyond this angle the object meets the rim of the nail before the skin.
-  require(std::abs(angle) <= radians(kSteepestPress),
-          "wanted an angle of the pad within {:g} deg either way, got {:g} deg", kSteepestPress,
-          degrees(angle));
-  require(std::isfinite(turn), "wanted a finite turn of the object, got {} rad", turn);
+  require_field("angle", std::abs(angle) <= radians(kSteepestPress),
+                "wanted an angle of the pad within {:g} deg either way, got {:g} deg",
+                kSteepestPress, degrees(angle));
+  require_field("turn", std::isfinite(turn), "wanted a finite turn of the object, got {} rad",
+                turn);
   PadTouch touch;
   touch.along = -Vector3d(std::sin(angle), 0, std::cos(angle));
   // The object's z goes into the pad, its y across the finger before the turn.

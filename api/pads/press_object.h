@@ -30,7 +30,7 @@ struct PressObject {
   std::string name;                    // "sphere of 10 mm", or the file
   std::shared_ptr<const Shape> shape;  // plane: a block of 1 m; cylinder and edge are as long
   TriangleMesh picture;                // part of its surface near the pad
-  FileDigests files;
+  FileDigests files;                   // digest of a mesh file; else empty
 };
 
 /// Returns the names of the built-in objects.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,75 +17,86 @@
 namespace thenar {
 namespace {
 
-constexpr double kDeepestPress = 0.1;   // Largest depth [m]
-constexpr double kHardestPress = 1e4;   // Largest force [N]
-constexpr double kFastestPress = 100;   // Largest rate [m/s]
-constexpr int kMostPoints = 1000;       // Most points of a curve
-constexpr int kMostElements = 200'000;  // Most elements of a mesh
-constexpr double kAnyError = 1e9;       // Error of the force with which no mesh is refined [1]
-// Depth of a round object in faces, between nodes, beyond which they are refined [m]
-constexpr double kDeepInFaces = 5e-5;
-constexpr double kHertzPower = 1.5;  // Power of the depth in the force of a first guess [1]
-// Error of the force in the first third of the motion, over the requested one [1]
+// Limits of a request, far above those of fingertips: larger numbers are mistakes in units.
+constexpr double kMaxPressDepth = 0.1;    // [m]
+constexpr double kMaxPressForce = 1e4;    // [N]
+constexpr double kMaxPressRate = 100;     // [m/s]
+constexpr int kMaxPressPoints = 1000;     // largest number of points of a curve
+constexpr int kMaxPadElements = 200'000;  // largest number of elements of a mesh
+// Penetration of faces by the object between nodes above which they are refined [m]
+constexpr double kMaxFacePenetration = 5e-5;
+// Force error above that of any mesh: meshes are not refined [1]
+constexpr double kUnrefinedError = 1e9;
+// Force error during the first third of the motion, over the requested one [1]
 constexpr double kEarlyErrorRatio = 3;
-// First instant at a held depth, over the time of holding [1]
-constexpr double kFirstOfHold = 2e-3;
-// Difference of the time from depth over rate that is warned of [1]
-constexpr double kOffTime = 0.05;
-constexpr double kShortestTime = 1e-9;  // Shortest time of a step with a rate [s]
-// Least size of an object across its way, over the length of a pad [1]
+// Exponent n of force ~ depth^n for a sphere on a half space [Johnson1985]
+constexpr double kHertzPower = 1.5;
+// The two steps that start the prediction of depths have the force over these numbers. By Hertz's
+// power they reach 1/16 and 1/9 of the depth: 16^(3/2) = 64, 9^(3/2) = 27 [1]
+constexpr double kFirstForceDivisor = 64, kSecondForceDivisor = 27;
+// First instant of the hold, over its duration [1]
+constexpr double kFirstHoldInstant = 2e-3;
+// Relative error of the time against depth / rate above which there is a warning [1]
+constexpr double kMaxTimeError = 0.05;
+constexpr double kMinStepTime = 1e-9;  // shortest duration of a step with a rate [s]
+// Smallest size of an object across its motion, over the length of a pad [1]
 constexpr double kMinSizeRatio = 1.0 / 60;
-// Largest cosine between the way and an axis across it [1]
+// Axes with a smaller cosine to the direction of motion are across it [1]
 constexpr double kMaxAcrossCosine = 0.7;
+// Estimated shares of the motion and of the hold in the processor time of a press with a hold [1]
+constexpr double kMotionShare = 0.7, kHoldShare = 0.3;
+// Estimated processor time of the comparison of rungs, over that of the press [1]
+constexpr double kRungsTime = 4;
 
 void check_numbers(const PressRequest& request) {
-  require(request.force.has_value() != request.depth.has_value(),
-          "wanted a force or a depth, got {}", request.force ? "both" : "none");
-  // Limits of a press are far above those of fingertips, and catch mistakes in units.
+  require_field("force", request.force.has_value() != request.depth.has_value(),
+                "wanted a force or a depth, got {}", request.force ? "both" : "none");
   if (request.force)
-    require(*request.force > 0 && *request.force <= kHardestPress,
-            "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
-            *request.force);
+    require_field("force", *request.force > 0 && *request.force <= kMaxPressForce,
+                  "wanted a force above 0 N, of at most {:g} N, got {:g} N", kMaxPressForce,
+                  *request.force);
   if (request.depth)
-    require(*request.depth > 0 && *request.depth <= kDeepestPress,
-            "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm", kDeepestPress / kMm,
-            *request.depth / kMm);
+    require_field("depth", *request.depth > 0 && *request.depth <= kMaxPressDepth,
+                  "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm",
+                  kMaxPressDepth / kMm, *request.depth / kMm);
   // Without a rate the press takes no time, and at rate 0 all has relaxed already: a hold changes
   // neither.
   if (request.rate)
-    require(*request.rate >= 0 && *request.rate <= kFastestPress,
-            "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
-            *request.rate / kMm);
-  require(request.hold >= 0 && std::isfinite(request.hold),
-          "wanted a holding time of 0 s or more, got {:g} s", request.hold);
-  require(request.hold == 0 || request.rate.value_or(0) > 0,
-          "tissue relaxes while the object is held still after a rate above 0 only");
-  require(request.friction >= 0 && std::isfinite(request.friction),
-          "wanted friction of at least 0, got {:g}", request.friction);
-  for (const int points : {request.points, request.hold_points})
-    require(points >= 1 && points <= kMostPoints, "wanted 1 to {} points of a curve, got {}",
-            kMostPoints, points);
-  require(request.force_error > 0 && std::isfinite(request.force_error),
-          "wanted an error of the force above 0, got {:g}", request.force_error);
-  require(request.max_elements >= 1 && request.max_elements <= kMostElements,
-          "wanted 1 to {} elements, got {}", kMostElements, request.max_elements);
+    require_field("rate", *request.rate >= 0 && *request.rate <= kMaxPressRate,
+                  "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kMaxPressRate / kMm,
+                  *request.rate / kMm);
+  require_field("hold", request.hold >= 0 && std::isfinite(request.hold),
+                "wanted a holding time of 0 s or more, got {:g} s", request.hold);
+  require_field("hold", request.hold == 0 || request.rate.value_or(0) > 0,
+                "tissue relaxes while the object is held still after a rate above 0 only");
+  require_field("friction", request.friction >= 0 && std::isfinite(request.friction),
+                "wanted friction of at least 0, got {:g}", request.friction);
+  for (const auto& [field, points] :
+       {std::pair{"points", request.points}, std::pair{"hold_points", request.hold_points}})
+    require_field(field, points >= 1 && points <= kMaxPressPoints,
+                  "wanted 1 to {} points of a curve, got {}", kMaxPressPoints, points);
+  require_field("force_error", request.force_error > 0 && std::isfinite(request.force_error),
+                "wanted an error of the force above 0, got {:g}", request.force_error);
+  require_field("max_elements",
+                request.max_elements >= 1 && request.max_elements <= kMaxPadElements,
+                "wanted 1 to {} elements, got {}", kMaxPadElements, request.max_elements);
 }
 
-/// Refuses pins and wires: no mesh with as many cells as are allowed resolves their patch.
-/// @throws InputError
+/// Checks that the object is thick enough: the largest mesh does not resolve the patch of a pin.
+/// @throws InputError otherwise
 void check_object(const PressResult& out) {
   const Eigen::Vector3d along = out.touch.X_PO.R.transpose() * out.touch.along;
   const Eigen::Vector3d sizes = out.object.shape->bounds().sizes();
   const double thinnest = kMinSizeRatio * out.pad.spec.length;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
-    require(
-        std::abs(along[axis]) > kMaxAcrossCosine || sizes[axis] >= thinnest,
+    require_field(
+        "object", std::abs(along[axis]) > kMaxAcrossCosine || sizes[axis] >= thinnest,
         "wanted an object of at least {:.2g} mm across its way into a pad of {:g} mm, as no mesh "
         "resolves thinner ones; got {}, which is {:.2g} mm",
         thinnest / kMm, out.pad.spec.length / kMm, out.object.name, sizes[axis] / kMm);
 }
 
-/// Goes the way of a request and keeps what each step gave.
+/// Moves the object of a request into the pad, step by step, and records an instant of each step.
 class PressRun {
  public:
   PressRun(PressResult& out, const Progress& progress)
@@ -95,8 +107,8 @@ class PressRun {
                options_of(out.request, progress)) {}
 
   void run() {
-    const bool done = out_.request.depth ? go_deep() : go_to_force();
-    if (done) stand_still();
+    const bool done = out_.request.depth ? press_to_depth() : press_to_force();
+    if (done) hold_still();
     out_.X_PO = press_.state().X_PO;
     out_.skin = pressed_skin(press_, out_.request.friction);
     out_.cpu = thread_seconds() - began_;
@@ -115,22 +127,24 @@ class PressRun {
     options.step.stop = progress.stop_requested;
     options.force_error = request.force_error;
     options.max_elements = request.max_elements;
-    options.max_penetration = kDeepInFaces;
+    options.max_penetration = kMaxFacePenetration;
     return options;
   }
 
+  /// Returns the displacement of the object since first touch [m], and its force along it [N].
   [[nodiscard]] double depth() const {
     return out_.touch.along.dot(press_.state().X_PO.p - out_.touch.X_PO.p);
   }
   [[nodiscard]] double force() const { return out_.touch.along.dot(press_.state().push.force); }
 
-  /// Time of a step to a depth [s].
+  /// Returns the duration of a step to a depth [s]: at rate 0 infinite, for the relaxed state.
   [[nodiscard]] double time_to(double depth) const {
     if (!rate_) return 0;
     if (*rate_ == 0) return std::numeric_limits<double>::infinity();
-    return std::max(depth / *rate_ - time_, kShortestTime);
+    return std::max(depth / *rate_ - time_, kMinStepTime);
   }
 
+  /// Returns the goal of a step to a depth [m] that takes a time [s].
   [[nodiscard]] PressGoal goal_at(double depth, double time) const {
     PressGoal goal;
     goal.X_PO = out_.touch.X_PO;
@@ -140,7 +154,8 @@ class PressRun {
     return goal;
   }
 
-  /// Makes one step. @returns true to continue the press
+  /// Makes one step and records its instant. @param fraction  share of the press before it, 0..1
+  /// @returns false if the press ends: the step failed or was stopped
   bool step(const PressGoal& goal, PressPhase phase, double fraction) {
     if (progress_.stop()) {
       out_.outcome.status = Status::kStopped;
@@ -164,7 +179,7 @@ class PressRun {
     now.push = result.push.force;
     now.area = result.area;
     now.stick = result.stick;
-    // Nodes blur pressure: where few touch, the mean over the patch is more.
+    // Where few nodes touch, their pressures are less than the mean over the patch.
     now.pressure = pressed_skin(press_, out_.request.friction).pressure.maxCoeff();
     if (now.area > 0) now.pressure = std::max(now.pressure, now.force / now.area);
     now.force_error = result.force_error;
@@ -176,91 +191,98 @@ class PressRun {
     return true;
   }
 
-  /// Share of the motion, which refines the mesh, in the total work.
-  [[nodiscard]] double way_share() const { return out_.request.hold > 0 ? 0.7 : 1; }
+  /// Returns the share of the motion in the processor time of the press.
+  [[nodiscard]] double motion_share() const { return out_.request.hold > 0 ? kMotionShare : 1; }
 
-  /// On the first third of the way, where a small patch would want the finest elements, the mesh
-  /// is coarser than asked. It is not refined at the end alone: displacements that are carried to a
-  /// finer mesh may turn elements inside out where they are large.
+  /// Sets the allowed force error of step k. It is larger during the first third of the motion,
+  /// where the patch is small and would need the finest elements. Refinement does not wait for the
+  /// end of the motion, since large displacements may invert elements of the refined mesh.
   void allow_error(int k) {
     const bool early = 3 * k < out_.request.points;
     press_.set_force_error((early ? kEarlyErrorRatio : 1) * out_.request.force_error);
   }
 
-  bool go_deep() {
+  /// Moves the object to the requested depth, in even steps. @returns as step()
+  bool press_to_depth() {
     const int count = out_.request.points;
     for (int k = 1; k <= count; ++k) {
       const double to = *out_.request.depth * k / count;
       allow_error(k);
-      if (!step(goal_at(to, time_to(to)), PressPhase::kWay, way_share() * (k - 1) / count))
+      if (!step(goal_at(to, time_to(to)), PressPhase::kWay, motion_share() * (k - 1) / count))
         return false;
     }
     return true;
   }
 
-  /// One step to a force; on a coarse mesh it may lie before the touch. With a rate it takes no
-  /// time worth telling.
+  /// Makes a step to a force [N]; on a coarse mesh its depth may be less than that of first touch.
+  /// With a rate the step takes the shortest time. @returns as step()
   bool step_to_force(double to, double fraction) {
-    PressGoal goal = goal_at(depth(), rate_.value_or(0) > 0 ? kShortestTime : time_to(depth()));
+    PressGoal goal = goal_at(depth(), rate_.value_or(0) > 0 ? kMinStepTime : time_to(depth()));
     goal.force = to;
     return step(goal, PressPhase::kWay, fraction);
   }
 
-  /// Depth at a force by Hertz's power through where the press is and was; from the touch where a
-  /// mesh that was refined between tells nothing [m].
-  [[nodiscard]] double foretold(double wanted, double was_depth, double was_force) const {
+  /// Returns the depth [m] at a force `wanted` [N] on the curve force^(2/3) ~ depth through the
+  /// present and the previous instant. If refinement between the two makes that curve fall, it goes
+  /// through first touch and the present instant instead; without a force it is the present depth.
+  [[nodiscard]] double predicted_depth(double wanted, double was_depth, double was_force) const {
     const auto grown = [](double force) { return std::pow(force, 1 / kHertzPower); };
     double slope = (grown(force()) - grown(was_force)) / (depth() - was_depth);
     if (!(slope > 0)) slope = grown(force()) / depth();
     return slope > 0 ? depth() + (grown(wanted) - grown(force())) / slope : depth();
   }
 
-  bool go_to_force() {
+  /// Raises the force to the requested one. @returns as step()
+  bool press_to_force() {
     const double wanted = *out_.request.force;
-    // Two small forces that are not told foretell depths: one on a mesh that is not refined, where
-    // it may lie before the touch.
-    press_.set_force_error(kAnyError);
-    bool goes = step_to_force(wanted / 64, 0);
+    // Two steps with small forces start the prediction of depths, and are not recorded. The first
+    // uses a mesh that is not refined, where its depth may be less than that of first touch.
+    press_.set_force_error(kUnrefinedError);
+    bool goes = step_to_force(wanted / kFirstForceDivisor, 0);
     double was_depth = depth(), was_force = force();
     allow_error(0);
-    goes = goes && step_to_force(wanted / 27, 0);
+    goes = goes && step_to_force(wanted / kSecondForceDivisor, 0);
     if (goes) out_.instants.clear();
-    // Forces that rise with the power 3/2 of the step; with a rate depths foretold of them, and the
-    // force itself at last, whose instant stands for that of the depth, which was near.
-    const bool timed = rate_.value_or(0) > 0;
+    // Forces rise with the power 3/2 of the step number, so that depths are about even.
     const int count = out_.request.points;
     for (int k = 1; goes && k <= count; ++k) {
       const double to = wanted * std::pow(static_cast<double>(k) / count, kHertzPower);
       if (k < count && to <= force()) continue;
-      const double fraction = way_share() * (k - 1) / count;
+      const double fraction = motion_share() * (k - 1) / count;
       const double at_depth = depth(), at_force = force();
       allow_error(k);
-      if (timed) {
-        const double target = foretold(to, was_depth, was_force);
-        goes = step(goal_at(target, time_to(target)), PressPhase::kWay, fraction);
-        if (goes && k == count) {
-          const auto near = static_cast<std::ptrdiff_t>(out_.instants.size()) - 1;
-          goes = step_to_force(to, fraction);
-          if (goes) out_.instants.erase(out_.instants.begin() + near);
-        }
-      } else {
-        goes = step_to_force(to, fraction);
-      }
+      goes = rate_.value_or(0) > 0
+                 ? step_at_rate(to, predicted_depth(to, was_depth, was_force), k == count, fraction)
+                 : step_to_force(to, fraction);
       was_depth = at_depth;
       was_force = at_force;
     }
     return goes;
   }
 
-  void stand_still() {
+  /// Makes a step at the requested rate to the depth [m] predicted for a force [N]. At the last
+  /// step the force itself follows, whose instant replaces that of the depth. @returns as step()
+  bool step_at_rate(double force, double depth, bool is_last, double fraction) {
+    if (!step(goal_at(depth, time_to(depth)), PressPhase::kWay, fraction)) return false;
+    if (!is_last) return true;
+    const auto near = static_cast<std::ptrdiff_t>(out_.instants.size()) - 1;
+    if (!step_to_force(force, fraction)) return false;
+    out_.instants.erase(out_.instants.begin() + near);
+    return true;
+  }
+
+  /// Holds the object at its depth for the requested time, in steps that grow.
+  void hold_still() {
     if (out_.request.hold <= 0) return;
     const double began = time_, at = depth();
     const int count = out_.request.hold_points;
-    // Times that grow by the same factor.
-    const double factor = count > 1 ? std::pow(1 / kFirstOfHold, 1.0 / (count - 1)) : 1;
+    // Times since the beginning of the hold grow by the same factor.
+    const double factor = count > 1 ? std::pow(1 / kFirstHoldInstant, 1.0 / (count - 1)) : 1;
     for (int k = 1; k <= count; ++k) {
       const double to = began + out_.request.hold * std::pow(factor, k - count);
-      if (!step(goal_at(at, to - time_), PressPhase::kHold, 0.7 + 0.3 * (k - 1) / count)) return;
+      if (!step(goal_at(at, to - time_), PressPhase::kHold,
+                kMotionShare + kHoldShare * (k - 1) / count))
+        return;
     }
   }
 
@@ -286,17 +308,17 @@ void add_warnings(PressResult& out) {
         100 * last.force_error, 100 * out.request.force_error,
         out.pad.model.element == HexElement::kQuadratic ? "quadratic elements are not refined"
                                                         : "the mesh has all elements it may have"));
-  if (last.penetration > kDeepInFaces)
+  if (last.penetration > kMaxFacePenetration)
     out.outcome.warnings.push_back(
         fmt::format("between nodes the object is up to {:.2g} mm inside the skin: it is small "
                     "against the elements",
                     last.penetration / kMm));
-  // Time against what the rate says.
+  // Compare the time of each instant with depth / rate.
   double off = 0;
   for (const PressInstant& now : out.instants)
     if (now.phase == PressPhase::kWay && out.request.rate.value_or(0) > 0)
       off = std::max(off, std::abs(now.time * *out.request.rate / now.depth - 1));
-  if (off > kOffTime)
+  if (off > kMaxTimeError)
     out.outcome.warnings.push_back(fmt::format(
         "on the way to the force the time is up to {:.2g} % off the depth over the rate",
         100 * off));
@@ -325,13 +347,13 @@ PressResult press_pad(const PressRequest& request, const Progress& progress) {
   out.object = open_press_object(request.object, out.pad.spec.length);
   out.touch = touch_pad(out.pad.model.shape, *out.object.shape, request.angle, request.turn);
   check_object(out);
-  // The way takes a fifth of the time where rungs are compared, too.
-  ProgressParts parts(progress, request.rungs ? 5 : 1);
+  // The comparison of rungs takes most of the time, if it is requested.
+  ProgressParts parts(progress, request.rungs ? 1 + kRungsTime : 1);
   const Progress of_way = parts.next(1);
   PressRun(out, of_way).run();
   // Compare with simpler laws only if the press itself was solved.
   if (request.rungs && out.outcome.status == Status::kSolved) {
-    out.rungs = compare_rungs(out, parts.next(4));
+    out.rungs = compare_rungs(out, parts.next(kRungsTime));
     if (progress.stop()) out.outcome.status = Status::kStopped;
   }
   // Count the instants, for the progress of a stopped request.

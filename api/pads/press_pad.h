@@ -1,6 +1,7 @@
 #pragma once
 
 /// A finger pad pressed by a rigid object: force, contact area, pressure, stick and time.
+/// Example: examples/16_pressed_pad.cpp.
 
 #include <array>
 #include <optional>
@@ -20,8 +21,8 @@ namespace thenar {
 /// Options of press_pad(): the pad, the object, and its motion into the pad. Exactly one of `force`
 /// and `depth` is given.
 struct PressRequest {
-  PadRequest pad;
-  PressObjectRequest object;
+  PadRequest pad;               // pad that is pressed
+  PressObjectRequest object;    // object that presses it
   double angle = 0;             // angle between pad and object, see touch_pad() [rad]
   double turn = 0;              // rotation of the object about its direction of motion [rad]
   std::optional<double> force;  // force along the motion at its end [N]
@@ -47,27 +48,27 @@ inline constexpr std::array kPressPhaseNames{EnumName{PressPhase::kWay, "way"},
 
 /// State of a press at one instant.
 struct PressInstant {
-  PressPhase phase = PressPhase::kWay;
-  double time = 0;                // time since first touch [s]; 0 without a rate
-  double depth = 0;               // displacement of the object since first touch [m]
-  double force = 0;               // force of the object on the pad along its motion [N]
-  Eigen::Vector3d push{0, 0, 0};  // force of the object on the pad, pad's frame [N] (3)
-  double area = 0;                // area of the deformed patch [m^2]
-  double stick = 0;               // share of the normal force on nodes that stick [1]
-  double pressure = 0;            // largest nodal pressure, at least the mean over the patch [Pa]
-  double force_error = 0;         // estimated relative error of the force [1]
-  double penetration = 0;         // largest penetration of a face [m]
-  std::size_t elements = 0;
-  int iterations = 0;  // iterations since the press began
-  double cpu = 0;      // processor time since the press began [s]
+  PressPhase phase = PressPhase::kWay;  // motion or hold
+  double time = 0;                      // time since first touch [s]; 0 without a rate
+  double depth = 0;                     // displacement of the object since first touch [m]
+  double force = 0;                     // force of the object on the pad along its motion [N]
+  Eigen::Vector3d push{0, 0, 0};        // force of the object on the pad, pad's frame [N] (3)
+  double area = 0;                      // area of the deformed patch [m^2]
+  double stick = 0;                     // share of the normal force on nodes that stick [1]
+  double pressure = 0;       // largest nodal pressure, at least the mean over the patch [Pa]
+  double force_error = 0;    // estimated relative error of the force [1]
+  double penetration = 0;    // largest penetration of a face [m]
+  std::size_t elements = 0;  // number of elements of the mesh
+  int iterations = 0;        // iterations since the press began
+  double cpu = 0;            // processor time since the press began [s]
 };
 
 /// Result of press_pad().
 struct [[nodiscard]] PressResult {
-  PressRequest request;
-  Outcome outcome;  // done: steps; status of the failed step, if there is one
-  NamedPad pad;
-  PressObject object;
+  PressRequest request;                // request that was answered
+  Outcome outcome;                     // done: steps; status of the failed step, if there is one
+  NamedPad pad;                        // pad that was pressed
+  PressObject object;                  // object that pressed it
   PadTouch touch;                      // object at first touch
   Pose<double> X_PO;                   // final pose of the object, pad's frame
   std::vector<PressInstant> instants;  // solved instants

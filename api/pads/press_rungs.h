@@ -17,10 +17,10 @@ struct PressResult;
 /// Press by a reduced law, or by one kind of element on one mesh, instantaneous and without
 /// friction.
 struct PressRung {
-  std::string element;   // "soft finger", "Q1P0"
-  std::string mesh;      // "law", "1152 even cells", "refined to 4 %"
-  bool refined = false;  // the mesh is refined adaptively
-  std::size_t elements = 0;
+  std::string element;            // "soft finger", "Q1P0"
+  std::string mesh;               // "law", "1152 even cells", "refined to 4 %"
+  bool refined = false;           // the mesh is refined adaptively
+  std::size_t elements = 0;       // number of elements; 0: a law
   double force = 0;               // [N]
   double error = 0;               // |force / force of the finest - 1| [1]; 0 for the finest
   double cpu = 0;                 // [s]

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Comparison of a scene on several rungs of its finger pads: cost, and difference from the finest.
+///
+///     SceneRequest request;
+///     request.scene = "pencil_pinch";
+///     const RungComparison rungs = compare_rungs(request, pad_rung_names());
 
 #include <string>
 #include <utility>
@@ -31,20 +35,20 @@ struct PadLoad {
 };
 
 struct RungRun {
-  std::string rung;
+  std::string rung;   // of pad_rung_names()
   SceneResult scene;  // read scene.run.status first
   RungError error;    // 0 for the finest
 };
 
 struct [[nodiscard]] RungComparison {
-  SceneRequest request;
-  Outcome outcome;  // done: rungs; stalled: none was solved
-  std::string name;
+  SceneRequest request;       // request without a rung
+  Outcome outcome;            // done: rungs; stalled: none was solved
+  std::string name;           // name of the scene
   std::vector<RungRun> runs;  // completed runs, in the order of the request
   std::size_t finest = 0;     // index of the finest run: the first of pad_rung_names() that was
                               // solved, or, if none was, that ran
   std::vector<std::pair<int, int>> pads;  // pairs of bodies, the lower first
-  FileDigests files;
+  FileDigests files;                      // digests of all files that were read
 };
 
 /// Returns the loads of the pads of a comparison at an instant of a run (pads).

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "api/named/data_folders.h"
+#include "api/scenes/write_scene_run.h"
 #include "base/error.h"
 #include "base/outside_path.h"
 #include "base/progress_parts.h"

@@ -1,6 +1,8 @@
 #pragma once
 
 /// Reader of recorded runs of scenes.
+///
+///     const RecordedScene run = read_scene_run("run.h5");
 
 #include <optional>
 #include <string>
@@ -16,7 +18,7 @@ struct RecordedScene {
   std::string name;          // name of the scene
   BuiltScene built;          // scene built from the texts in the file and the files that they name
   std::optional<Path> path;  // SceneRequest::path of the run; via points in files of before 0.2
-  std::optional<Camera> camera;
+  std::optional<Camera> camera;      // absent: the scene states none
   std::vector<SceneSample> samples;  // at least one, by rising time; without z and w
   std::vector<std::string> muscles;  // "human:skewed/index/FDP2"
   Eigen::MatrixXd tension;           // tensions of the muscles [N] (instants, muscles)
@@ -25,8 +27,8 @@ struct RecordedScene {
   double deepest = 0;                // see SceneCost [m]
   std::optional<FlowBalance>
       balance;  // worst_balance(), its error and exchanged energy only; absent: not recorded
-  std::vector<PassedLimit> limits;  // limits that joints exceeded
-  std::vector<std::string> warnings;
+  std::vector<PassedLimit> limits;    // limits that joints exceeded
+  std::vector<std::string> warnings;  // doubts about the record
 };
 
 /// Reads a run. Hands and meshes are searched for in the original folder of the scene and in the

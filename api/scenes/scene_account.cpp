@@ -23,12 +23,12 @@ std::string energy_error_words(const FlowBalance& balance) {
 }
 
 std::string beyond_words(const PassedLimit& limit) {
-  return limit.slides ? fmt::format("{:.3g} mm", limit.beyond / kMm)
-                      : fmt::format("{:.3g} deg", limit.beyond / kDegree);
+  return limit.slides ? fmt::format("{:.3g} mm", limit.excess / kMm)
+                      : fmt::format("{:.3g} deg", limit.excess / kDegree);
 }
 
 std::vector<PassedLimit> limits_passed(const SceneResult& scene) {
-  return passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond);
+  return passed_limits(scene.built->scene.mechanism, scene.run.cost.limit_excess);
 }
 
 double restitution_ignored(const SceneResult& scene) {
@@ -42,20 +42,20 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
   const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
   append_all(warnings, pulls);
   // Then events without end, surfaces that moved too fast, penetration and limits.
-  if (scene.run.cost.passed > 0)
+  if (scene.run.cost.chatter_bursts > 0)
     warnings.push_back(
         fmt::format("events followed each other without end {} times: fixed steps continued by 1 "
                     "ms each time, without an estimate of their error",
-                    scene.run.cost.passed));
-  if (scene.run.cost.leaps > 0)
+                    scene.run.cost.chatter_bursts));
+  if (scene.run.cost.tunnelling_steps > 0)
     warnings.push_back(
         fmt::format("in {} steps surfaces moved so fast that they may have gone through each other",
-                    scene.run.cost.leaps));
-  if (scene.run.cost.deepest > kWarnedPenetration && has_contact_problems(scene))
+                    scene.run.cost.tunnelling_steps));
+  if (scene.run.cost.max_penetration > kWarnedPenetration && has_contact_problems(scene))
     warnings.push_back(fmt::format(
         "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "
         "shorter steps may help",
-        1e3 * scene.run.cost.deepest));
+        1e3 * scene.run.cost.max_penetration));
   for (const PassedLimit& limit : limits_passed(scene))
     warnings.push_back(
         fmt::format("joint '{}' went {} beyond its limit", limit.joint, beyond_words(limit)));
@@ -65,10 +65,10 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
         fmt::format("restitution of up to {:.3g} is left out: nothing bounces in steps of a fixed "
                     "length, events let it",
                     restitution));
-  if (scene.run.cost.coarse > 0)
+  if (scene.run.cost.inaccurate_steps > 0)
     warnings.push_back(
         fmt::format("{} steps missed the tolerance, though they were as short as can be (1 ns)",
-                    scene.run.cost.coarse));
+                    scene.run.cost.inaccurate_steps));
   return warnings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 /// Scenes built in a program, without a file.
+/// Example: examples/12_falling_cube.cpp.
 
 #include <string>
 

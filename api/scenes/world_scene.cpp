@@ -238,8 +238,8 @@ class WorldBuilder {
     for (const std::shared_ptr<const ForceElement>& element : scene.elements)
       if (const auto* stops = dynamic_cast<const JointStops*>(element.get()))
         for (std::size_t i = 0; i < stops->ranges().size(); ++i)
-          weight[stops->places().v[i]] -=
-              passive_moment(stops->ranges()[i], scene.q[stops->places().q[i]]);
+          weight[stops->indices().v[i]] -=
+              passive_moment(stops->ranges()[i], scene.q[stops->indices().q[i]]);
     // Set each drive to the present value and the weight there.
     for (SceneDrive& drive : scene.drives) {
       const auto c = static_cast<std::size_t>(drive.coordinate);

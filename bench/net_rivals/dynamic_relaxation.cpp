@@ -7,7 +7,7 @@ namespace {
 
 /// Least stable masses per node and direction, at a time step of 1 [N/m] (3, nodes).
 /// @param margin  on the stiffness, which changes until the next stop [1]
-Eigen::Matrix3Xd least_masses(const PosedNet& net, const Eigen::Matrix3Xd& x, double margin) {
+Eigen::Matrix3Xd min_masses(const PosedNet& net, const Eigen::Matrix3Xd& x, double margin) {
   constexpr double kShortest = 5e-4;  // free run of a bent band that is reckoned with [m]
   Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, x.cols());
   double largest = 0;
@@ -49,7 +49,7 @@ RivalRest relax(const PosedNet& net, const Eigen::Matrix3Xd& start,
   Moving now{settled(net, net.from(start)), Eigen::Matrix3Xd::Zero(3, count), 0};
   const Moving begin = now;
   double margin = 1.05, first = 0;
-  Eigen::Matrix3Xd mass = least_masses(net, now.x, margin);
+  Eigen::Matrix3Xd mass = min_masses(net, now.x, margin);
   bool stopped = true;
 
   RivalRest rest;
@@ -64,7 +64,7 @@ RivalRest relax(const PosedNet& net, const Eigen::Matrix3Xd& start,
     if (!(rest.residual < kBlownUp * first)) {  // as Barnes advises: begin again with more mass
       now = begin;
       margin *= 2;
-      mass = least_masses(net, now.x, margin);
+      mass = min_masses(net, now.x, margin);
       stopped = true;
       continue;
     }
@@ -76,7 +76,7 @@ RivalRest relax(const PosedNet& net, const Eigen::Matrix3Xd& start,
     if (!stopped && energy < now.energy) {
       // The peak lay half a step back: stop there.
       now = {settled(net, now.x - 0.5 * now.v, bones), Eigen::Matrix3Xd::Zero(3, count), 0};
-      mass = least_masses(net, now.x, margin);
+      mass = min_masses(net, now.x, margin);
       stopped = true;
       continue;
     }

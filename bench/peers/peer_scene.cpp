@@ -139,12 +139,12 @@ bool may_touch(const MovingScene& scene, std::size_t a, std::size_t b) {
     if (joints[i].kind == JointKind::kFree) return false;
     return joints[i].parent == static_cast<int>(on);
   };
-  const auto apart = [&](std::size_t i, std::size_t j) {
-    return std::count(scene.apart.begin(), scene.apart.end(),
+  const auto is_excluded = [&](std::size_t i, std::size_t j) {
+    return std::count(scene.excluded_pairs.begin(), scene.excluded_pairs.end(),
                       std::pair<int, int>(static_cast<int>(i), static_cast<int>(j))) > 0;
   };
-  return !(fixed(a) && fixed(b)) && !hangs_on(a, b) && !hangs_on(b, a) && !apart(a, b) &&
-         !apart(b, a);
+  return !(fixed(a) && fixed(b)) && !hangs_on(a, b) && !hangs_on(b, a) && !is_excluded(a, b) &&
+         !is_excluded(b, a);
 }
 
 }  // namespace thenar::bench

@@ -306,7 +306,7 @@ std::function<const std::vector<BodyMotion>&()> converged(const PeerScene& peer)
   return [=]() -> const std::vector<BodyMotion>& {
     if (end->empty()) {
       SceneOptions options;
-      options.seconds = peer.seconds;
+      options.duration = peer.seconds;
       options.tolerance = 1e-12;
       options.columns = 8;
       const SceneRun run = simulate_scene(peer.scene, options);

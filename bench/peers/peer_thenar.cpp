@@ -15,8 +15,8 @@ namespace {
 using Simulate = SceneRun (*)(const MovingScene&, const SceneOptions&, const Progress&);
 
 PeerRun run_ours(const PeerScene& peer, SceneOptions options, Simulate simulate = &simulate_scene) {
-  options.seconds = peer.seconds;
-  options.sample = peer.sample;
+  options.duration = peer.seconds;
+  options.sample_interval = peer.sample;
   const double start = thread_seconds();
   Progress progress;
   progress.stop_requested = [&] { return thread_seconds() - start > kPatience; };
@@ -99,7 +99,7 @@ std::vector<PeerSetting> our_settings() {
        [](const PeerScene& scene, double step) {
          SceneOptions options;
          options.method = SteppingMethod::kTimeStepping;
-         options.step = step;
+         options.step_length = step;
          return run_ours(scene, options);
        }},
       compliant("thenar", "compliant-sundials", &simulate_penalty_scene, 1),

@@ -129,8 +129,8 @@ NetBandPlan read_band(TomlTable& table, const NetDescription& net) {
   // Elasticity, and the surface it bends over.
   band.EA = read_stiffness(table);
   band.toe = table.number_or(Dimension::kNumber, "toe_strain", 0, Range::kNotNegative);
-  band.most_strain =
-      table.number_or(Dimension::kNumber, "max_strain", band.most_strain, Range::kPositive);
+  band.max_strain =
+      table.number_or(Dimension::kNumber, "max_strain", band.max_strain, Range::kPositive);
   band.over = read_over(table, net);
   band.side = table.number_or(Dimension::kAngle, "side", 0);
   return band;

@@ -70,7 +70,7 @@ struct NetBandPlan {
   std::string strains_like;  // band whose strain it is fitted to have in the straight finger
   double EA = 0;             // tension per strain [N]
   double toe = 0;            // strain up to which fibres are recruited [1]
-  double most_strain = 0.1;  // largest admissible strain [1]
+  double max_strain = 0.1;   // largest admissible strain [1]
   std::string over;          // surface over which it bends; empty: straight
   double side = 0;           // direction from that surface's centre to the band, about the bone, as
                              // NetPlace::angle [rad]

@@ -21,14 +21,14 @@ class CompliantLoop {
   CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
       : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
     // A time span ends where a force or drive starts or stops to act.
-    erase_where(stops_, [&](double t) { return t <= 0 || t >= options.seconds; });
-    stops_.push_back(options.seconds);
+    erase_where(stops_, [&](double t) { return t <= 0 || t >= options.duration; });
+    stops_.push_back(options.duration);
   }
 
   SceneRun run(const Progress& progress) {
     // Sample the initial state, then run the time spans.
     const double start = thread_seconds();
-    contacts_ = motion_.contacts(stored_energy_);
+    contacts_ = motion_.contacts();
     add_sample();
     double from = 0;
     for (std::size_t i = 0; i < stops_.size() && run_.status == SceneStatus::kDone; ++i) {
@@ -47,13 +47,13 @@ class CompliantLoop {
   /// Runs to the end of a time span in which the same forces and drives act [s].
   void run_span(double end, const Progress& progress) {
     while (end - motion_.state().t > kSameInstant) {
-      progress(motion_.state().t / options_.seconds, "");
+      progress(motion_.state().t / options_.duration, "");
       if (progress.stop()) {
         run_.status = SceneStatus::kStopped;
         return;
       }
       // Step at most to the next sample or to the end of the span.
-      const double next = options_.sample * static_cast<double>(next_sample_);
+      const double next = options_.sample_interval * static_cast<double>(next_sample_);
       CompliantStep step = motion_.step(std::min(end, next));
       if (step.status != SceneStatus::kDone) {
         run_.status = step.status;
@@ -64,32 +64,32 @@ class CompliantLoop {
       ++run_.cost.steps;
       update_depth();
       update_limit_excess(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
-                          run_.cost.beyond);
+                          run_.cost.limit_excess);
       const double t = motion_.state().t;
-      if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) add_sample();
+      if (t >= next - kSameInstant || t >= options_.duration - kSameInstant) add_sample();
     }
   }
 
   void update_depth() {
-    contacts_ = motion_.contacts(stored_energy_);
-    for (const ContactSample& contact : contacts_)
-      run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+    contacts_ = motion_.contacts();
+    for (const ContactSample& contact : contacts_.samples)
+      run_.cost.max_penetration = std::max(run_.cost.max_penetration, -contact.gap);
   }
 
   void add_sample() {
     const SceneState& state = motion_.state();
-    run_.samples.push_back({state.t, state.q, state.v, {}, contacts_, energy_.energy(state), {}});
-    run_.samples.back().energy.springs += stored_energy_;
-    next_sample_ = std::lround(state.t / options_.sample) + 1;
+    run_.samples.push_back(
+        {state.t, state.q, state.v, {}, contacts_.samples, energy_.energy(state), {}});
+    run_.samples.back().energy.springs += contacts_.energy;
+    next_sample_ = std::lround(state.t / options_.sample_interval) + 1;
   }
 
   CompliantMotion& motion_;
   ContactStep energy_;
   const SceneOptions& options_;
-  std::vector<double> stops_;            // ends of the time spans [s]
-  std::vector<ContactSample> contacts_;  // contacts in the present state
-  double stored_energy_ = 0;             // energy of their springs [J]
-  long next_sample_ = 0;                 // index of the next sample
+  std::vector<double> stops_;   // ends of the time spans [s]
+  CompliantContacts contacts_;  // contacts in the present state
+  long next_sample_ = 0;        // index of the next sample
   SceneRun run_;
 };
 

@@ -17,6 +17,12 @@ struct CompliantStep {
   std::string message;                      // reason of kFailed
 };
 
+/// Contacts with a force at an instant.
+struct CompliantContacts {
+  std::vector<ContactSample> samples;
+  double energy = 0;  // energy of their springs and of joint limits [J]
+};
+
 /// Scene that is advanced by one integrator.
 class CompliantMotion {
  public:
@@ -29,9 +35,8 @@ class CompliantMotion {
   [[nodiscard]] virtual CompliantStep step(double stop) = 0;
   /// Returns the present state.
   [[nodiscard]] virtual const SceneState& state() const = 0;
-  /// Returns the contacts with a force in the present state.
-  /// @param stored  set to the energy of their springs and of joint limits [J]
-  [[nodiscard]] virtual std::vector<ContactSample> contacts(double& stored) = 0;
+  /// Returns the contacts in the present state.
+  [[nodiscard]] virtual CompliantContacts contacts() = 0;
   /// Returns the number of evaluations of the accelerations.
   [[nodiscard]] virtual long evaluations() const = 0;
   /// Returns the number of rejected steps: their error was too large, the Newton iteration did not

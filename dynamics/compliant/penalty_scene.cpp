@@ -14,6 +14,7 @@
 namespace thenar {
 namespace {
 
+using internal::CompliantContacts;
 using internal::CompliantMotion;
 using internal::CompliantStep;
 using internal::StepLimiter;
@@ -57,7 +58,7 @@ class PenaltyMotion : public CompliantMotion {
  public:
   PenaltyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
-        limiter_(options.longest),
+        limiter_(options.max_step),
         step_(scene),
         motion_(step_.model()),
         mass_(step_.model()),
@@ -82,7 +83,7 @@ class PenaltyMotion : public CompliantMotion {
     }
     const SceneState before = state_;
     // Repeat the step with shorter lengths until surfaces move little enough.
-    double max_length = std::min({limiter_.length(), options_.longest, stop - before.t});
+    double max_length = std::min({limiter_.length(), options_.max_step, stop - before.t});
     while (true) {
       const bool is_to_stop = max_length >= stop - before.t;
       const OdeStatus status = ode_->step(is_to_stop ? stop : before.t + max_length);
@@ -94,8 +95,8 @@ class PenaltyMotion : public CompliantMotion {
       // Repeat a step in which bodies may have passed through each other.
       const double motion = limiter_.update(step_, before, state_);
       const double h = state_.t - before.t;
-      if (motion <= 1 || h <= options_.shortest) return {};
-      max_length = std::max(0.5 * h / motion, options_.shortest);
+      if (motion <= 1 || h <= options_.min_step) return {};
+      max_length = std::max(0.5 * h / motion, options_.min_step);
       state_ = before;
       ++rejected_;
       restart();
@@ -104,9 +105,9 @@ class PenaltyMotion : public CompliantMotion {
 
   const SceneState& state() const override { return state_; }
 
-  std::vector<ContactSample> contacts(double& stored) override {
-    std::vector<ContactSample> out;
-    stored = add_loads(state_, &out);
+  CompliantContacts contacts() override {
+    CompliantContacts out;
+    out.energy = add_loads(state_, &out.samples);
     return out;
   }
 

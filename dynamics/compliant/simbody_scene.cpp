@@ -17,6 +17,7 @@
 namespace thenar {
 namespace {
 
+using internal::CompliantContacts;
 using internal::CompliantMotion;
 using internal::CompliantStep;
 using internal::from_simbody;
@@ -39,7 +40,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
                  SimTK::Vector& on_joints) const override {
     // Forces that act at this time.
     for (const SceneForce& force : scene_.forces) {
-      if (!force.when.holds(acting_)) continue;
+      if (!force.when.contains(acting_)) continue;
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(force.body));
       body.applyForceToBodyPoint(state, to_simbody(force.point), to_simbody(force.force),
                                  on_bodies);
@@ -47,7 +48,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
     }
     // Drives act on the leading joint of their coordinate.
     for (const SceneDrive& drive : scene_.drives) {
-      if (!drive.when.holds(acting_)) continue;
+      if (!drive.when.contains(acting_)) continue;
       const int lead = bodies_.leader(drive.coordinate);
       const MechanismJoint& joint = joint_of(lead);
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(lead));
@@ -130,18 +131,17 @@ class SimbodyScene {
   }
 
   /// Returns the contacts in a state.
-  /// @param stored  set to the energy of contacts and joint stops [J]
-  std::vector<ContactSample> contacts(const SimTK::State& at, double& stored) const {
+  [[nodiscard]] CompliantContacts contacts(const SimTK::State& at) const {
     bodies.system().realize(at, SimTK::Stage::Dynamics);
-    std::vector<ContactSample> out;
-    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out);
+    CompliantContacts out;
+    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out.samples);
     // Energy of contacts and limits: all but gravity and the joint springs.
-    stored = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
+    out.energy = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
       if (!is_scalar(joint.kind) || joint.stiffness == 0) continue;
       const double stretch = body_of(bodies, i).getOneQ(at, 0) - joint.rest;
-      stored -= 0.5 * joint.stiffness * stretch * stretch;
+      out.energy -= 0.5 * joint.stiffness * stretch * stretch;
     }
     return out;
   }
@@ -336,14 +336,13 @@ class SimbodyMotion : public CompliantMotion {
  public:
   SimbodyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
-        limiter_(options.longest),
+        limiter_(options.max_step),
         step_(scene),
         world_(scene, options_.compliance, step_.model()) {
     state_.q = scene.q;
     state_.v = scene.v;
     // Evaluate the initial contacts, so that Simbody refuses what it cannot compute.
-    double stored = 0;
-    (void)world_.contacts(world_.state_of(state_), stored);
+    (void)world_.contacts(world_.state_of(state_));
   }
 
   void begin_span(double instant) override {
@@ -356,10 +355,10 @@ class SimbodyMotion : public CompliantMotion {
     integrator_ =
         std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
     integrator_->setAccuracy(options_.tolerance);
-    integrator_->setMaximumStepSize(options_.longest);
+    integrator_->setMaximumStepSize(options_.max_step);
     integrator_->setReturnEveryInternalStep(true);
     integrator_->setInternalStepLimit(1000);
-    limiter_.set_length(options_.longest);
+    limiter_.set_length(options_.max_step);
     has_begun_ = false;
   }
 
@@ -389,8 +388,8 @@ class SimbodyMotion : public CompliantMotion {
 
   const SceneState& state() const override { return state_; }
 
-  std::vector<ContactSample> contacts(double& stored) override {
-    return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_), stored);
+  CompliantContacts contacts() override {
+    return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_));
   }
 
   long evaluations() const override { return evaluations_ + integrator_->getNumRealizations(); }
@@ -416,7 +415,7 @@ class SimbodyMotion : public CompliantMotion {
             fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
                         "thickness within a step: they may have passed each other; the longest "
                         "step of {:g} s is too long",
-                        before.t, motion, options_.longest)};
+                        before.t, motion, options_.max_step)};
   }
 
   SceneOptions options_;

@@ -438,7 +438,7 @@ std::vector<double> DigitPull::switching_times() const {
       times.push_back(each.when.from);
       if (std::isfinite(each.when.to)) times.push_back(each.when.to);
       for (const double t : each.time)
-        if (each.when.holds(t)) times.push_back(t);
+        if (each.when.contains(t)) times.push_back(t);
     }
   return times;
 }
@@ -446,7 +446,7 @@ std::vector<double> DigitPull::switching_times() const {
 bool DigitPull::may_start_motion(const ElementInput& at) const {
   // A tension that changes may move the scene, and so may a muscle whose states change.
   for (const MuscleSchedule& given : model_->tensions)
-    if (given.when.holds(at.selection_time) && piece_at(given, at.selection_time).slope() != 0)
+    if (given.when.contains(at.selection_time) && piece_at(given, at.selection_time).slope() != 0)
       return true;
   if (muscles_.contracting.empty()) return false;
   const PullValues& values = evaluate(at, ElementNeed::kRates);

@@ -64,7 +64,7 @@ void ActiveSchedulePieces::select(const std::vector<MuscleSchedule>& schedules, 
   if (acting_ == acting) return;
   for (SchedulePiece& piece : pieces_) piece = {};
   for (const MuscleSchedule& schedule : schedules)
-    if (schedule.when.holds(acting)) pieces_[schedule.muscle] = piece_at(schedule, acting);
+    if (schedule.when.contains(acting)) pieces_[schedule.muscle] = piece_at(schedule, acting);
   // Values that are set override the schedules.
   for (std::size_t m = 0; m < set_values_.size(); ++m)
     if (set_values_[m]) pieces_[m] = constant_piece(0, *set_values_[m]);

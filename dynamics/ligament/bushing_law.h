@@ -68,9 +68,10 @@ void check_law(const BushingLaw& law);
 
 /// Bushing coordinates of a pose, and the map from angular velocity to their rates.
 struct BushingPose {
-  BushingVector x;           // coordinates [m], [rad] (6)
-  Eigen::Matrix3d rate_map;  // (flexion, abduction, twist) rates = rate_map . angular velocity of B
-                             // relative to A, in axes of A (3, 3)
+  BushingVector x = BushingVector::Zero();  // coordinates [m], [rad] (6)
+  // (flexion, abduction, twist) rates = rate_map . angular velocity of B relative to A, in axes of
+  // A (3, 3)
+  Eigen::Matrix3d rate_map = Eigen::Matrix3d::Identity();
 };
 
 /// Largest abduction at which the coordinates are valid; they are singular at 90 deg [rad].

@@ -68,7 +68,6 @@ double PadElement::equivalent_force(const Vector6& change) const {
 
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
   Prediction out;
-  out.push.setZero();
   out.allowed_error =
       options_.force_error * std::max(kept_.contact.push.force.norm(), options_.min_force);
   if (kept_.contact.force <= 0) return out;
@@ -80,7 +79,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
   out.stiffness_ratio = weights.now;
-  out.change = equivalent_force(out.push - six_of(kept_.contact.push)) / out.allowed_error;
+  out.change = equivalent_force(out.push - wrench_vector(kept_.contact.push)) / out.allowed_error;
   // A pad cannot pull.
   if (out.push.tail<3>().dot(kept_.contact.normal) <= 0) {
     out.push.setZero();
@@ -132,7 +131,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   // Solve the pad at the end of the motion, from its kept state.
   trial_.t = t;
   trial_.X_PO = X_PO;
-  trial_.contact = pad_->move(X_PO, t - kept_.t);
+  trial_.contact = pad_->try_step(X_PO, t - kept_.t);
   if (trial_.contact.status != Status::kSolved) {
     trial_.error = kUnsolvedDoubt;
     return;
@@ -140,7 +139,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   // Compare the predicted push with the solution.
   const double allowed =
       std::max(predicted.allowed_error, options_.force_error * trial_.contact.push.force.norm());
-  trial_.error = equivalent_force(six_of(trial_.contact.push) - predicted.push) / allowed;
+  trial_.error = equivalent_force(wrench_vector(trial_.contact.push) - predicted.push) / allowed;
 }
 
 void PadElement::move_to_accepted(double t, const Pose<double>& X_PO, double allowed_error) {
@@ -225,12 +224,12 @@ void PadElement::restart_pad(double t, const Pose<double>& X_PO) {
   for (int i = 0; i <= kRestartSteps; ++i) {
     Pose<double> X = X_PO;
     X.p -= kRestartDistance * (1 - static_cast<double>(i) / kRestartSteps) * kept_.contact.normal;
-    contact = fresh->move(X, 0);
+    contact = fresh->try_step(X, 0);
     if (contact.status != Status::kSolved) {
       failure_.retry_time = t + kRetryInterval;
       return;
     }
-    fresh->keep();
+    fresh->accept_step();
   }
   failure_.restarted = kept_.contact.force > 0;  // without contact no history is lost
   // Replace the old pad, and clear its memory.
@@ -249,7 +248,7 @@ void PadElement::keep_trial(bool new_stiffness) {
   // Keep the trial as the state of the pad.
   const double seconds = trial_.t - kept_.t;
   const Vector6 motion = motion_from(kept_.X_PO, trial_.X_PO);
-  pad_->keep();
+  pad_->accept_step();
   kept_.t = trial_.t;
   kept_.X_PO = trial_.X_PO;
   trial_.t = -1;
@@ -268,7 +267,7 @@ void PadElement::update_memory(double seconds) {
   if (kept_.contact.force <= 0) kept_.memory = {};
   // Find the elastic push whose relaxation gives the pad's push.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
-  const Vector6 push = six_of(kept_.contact.push);
+  const Vector6 push = wrench_vector(kept_.contact.push);
   for (Eigen::Index k = 0; k < 6 && kept_.contact.force > 0; ++k) {
     ExponentialMemory& memory = kept_.memory[k];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);

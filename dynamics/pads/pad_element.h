@@ -67,10 +67,10 @@ class PadElement final : public ForceElement {
   using PushMemory = std::array<ExponentialMemory, 6>;
   /// Predicted push of the object on the pad.
   struct Prediction {
-    Vector6 push;                // moment and force, pad's frame, about its origin [N m], [N] (6)
-    double stiffness_ratio = 1;  // stiffness against a motion in this step, over K [1]
-    double change = 0;           // change of the push since the pad moved, over allowed_error [1]
-    double allowed_error = 1;    // largest error of the push [N]
+    Vector6 push = Vector6::Zero();  // moment, force, pad's frame, about its origin [N m], [N] (6)
+    double stiffness_ratio = 1;      // stiffness against a motion in this step, over K [1]
+    double change = 0;         // change of the push since the pad moved, over allowed_error [1]
+    double allowed_error = 1;  // largest error of the push [N]
   };
   /// Returns the pose X_PO of the object in the pad's frame.
   [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;
@@ -95,7 +95,7 @@ class PadElement final : public ForceElement {
   /// Replaces the pad by a fresh one that is pressed from outside to X_PO; on failure it sets the
   /// time of the next attempt.
   void restart_pad(double t, const Pose<double>& X_PO);
-  /// Advances the memory of the push by a kept move of the pad of this duration [s].
+  /// Advances the memory of the push by an accepted step of the pad of this duration [s].
   void update_memory(double seconds);
   /// Computes the memory at t if the object moves to X_PO by then, linearly in time.
   [[nodiscard]] PushMemory memory_at(double t, const Pose<double>& X_PO) const;
@@ -108,14 +108,14 @@ class PadElement final : public ForceElement {
   std::unique_ptr<MovingPad> pad_;
   PadElementOptions options_;
 
-  /// State of the pad after its last kept move.
+  /// State of the pad after its last accepted step.
   struct KeptMove {
     double t = 0;        // time [s]
     Pose<double> X_PO;   // pose of the object
     PadContact contact;  // contact at that pose
     PushMemory memory;   // memory of the push [N m], [N]
   };
-  /// State at the last accept_step(), which may be later than the last kept move.
+  /// State at the last accept_step(), which may be later than the last one of the pad.
   struct AcceptedState {
     double t = 0;       // time [s]
     Pose<double> X_PO;  // pose of the object

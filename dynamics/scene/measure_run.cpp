@@ -98,7 +98,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
   double work = 0;
   // Work of forces by the displacement of their points, of moments by the rotation.
   for (const SceneForce& force : scene.forces) {
-    if (!force.when.holds(middle)) continue;
+    if (!force.when.contains(middle)) continue;
     const int i = force.body;
     const Eigen::AngleAxisd turn(X_to[i].R * X_from[i].R.transpose());
     work += force.force.dot(X_to[i] * force.point - X_from[i] * force.point) +

@@ -11,9 +11,9 @@ namespace thenar {
 
 /// Contact of a pad at one instant.
 struct PadState {
-  double t;      // time [s]
-  double force;  // magnitude of the sum of the normal forces [N]
-  double angle;  // angle between the pad's normal and that sum, which acts on the other body [rad]
+  double t = 0;      // time [s]
+  double force = 0;  // magnitude of the sum of the normal forces [N]
+  double angle = 0;  // between the pad's normal and that sum, which acts on the other body [rad]
 };
 
 /// Computes the angle of a pad at all instants with a contact force: 0 where the middle of the pad

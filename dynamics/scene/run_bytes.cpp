@@ -91,12 +91,13 @@ void pass_sample(Stream& stream, SceneSample& sample) {
 
 template <typename Stream>
 void pass_cost(Stream& stream, SceneCost& cost) {
-  auto& [steps, rejected, substeps, impacts, passed, unsolved, leaps, coarse, residual, deepest,
-         beyond, asleep, cpu] = cost;
-  for (long* each : {&steps, &rejected, &substeps, &impacts, &passed, &unsolved, &leaps, &coarse})
+  auto& [steps, rejected, substeps, impacts, bursts, unsolved, tunnelling, inaccurate, residual,
+         penetration, excess, rest, cpu] = cost;
+  for (long* each :
+       {&steps, &rejected, &substeps, &impacts, &bursts, &unsolved, &tunnelling, &inaccurate})
     stream.pass_value(*each);
-  for (double* each : {&residual, &deepest, &asleep, &cpu}) stream.pass_value(*each);
-  pass_vector(stream, beyond);
+  for (double* each : {&residual, &penetration, &rest, &cpu}) stream.pass_value(*each);
+  pass_vector(stream, excess);
 }
 
 /// Writes or reads a run; both use the same order of its parts.

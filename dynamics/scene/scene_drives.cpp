@@ -1,6 +1,5 @@
 #include "dynamics/scene/scene_drives.h"
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,9 +59,8 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
       return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
     });
     // Check that the units of the drive fit the kind of its joint.
-    const auto joint =
-        std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
-                     [&](const MechanismJoint& each) { return is_moved_by(each, out.coordinate); });
+    const MechanismJoint* joint = find_where(
+        mechanism.joints, [&](const auto& each) { return is_moved_by(each, out.coordinate); });
     const bool turns = joint->kind == JointKind::kHinge;
     if (turns != drive.turns)
       throw DataError(spec.path, drive.line,
@@ -90,10 +88,10 @@ void set_stepping(const SceneSpec& spec, BuiltScene& built) {
     return value_in(kSteppingMethodNames, stepping.method, "method");
   });
   // Step lengths, samples and tolerances.
-  options.seconds = stepping.duration;
-  options.sample = stepping.sample;
-  options.step = stepping.step.value_or(options.step);
-  options.longest = stepping.longest.value_or(options.longest);
+  options.duration = stepping.duration;
+  options.sample_interval = stepping.sample;
+  options.step_length = stepping.step.value_or(options.step_length);
+  options.max_step = stepping.longest.value_or(options.max_step);
   options.tolerance = stepping.tolerance.value_or(options.tolerance);
   options.recovery = stepping.recovery.value_or(options.recovery);
   set_compliance(spec, built.options.compliance);

@@ -129,8 +129,7 @@ class HandPullBuilder {
         require(!rung_ || rung == *rung_, "all muscles of '{}' pull on one rung", human_.name);
         rung_ = rung;
       }
-      for (MuscleDrive& given : drives_of(each, spec_, names_))
-        (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
+      append_all(each.tensions ? tensions_ : excitations_, drives_of(each, spec_, names_));
     } catch (const InputError& error) {
       fail(error.what());
     }
@@ -259,9 +258,8 @@ class HandPullBuilder {
     model.indices = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
     // Excited muscles need a contraction model; errors name the first line that excites one.
     if (!model.excitations.empty()) {
-      const auto excited =
-          std::find_if(excitations_.begin(), excitations_.end(),
-                       [&](const MuscleDrive& each) { return contains(muscles, each.muscle); });
+      const MuscleDrive* excited = find_where(
+          excitations_, [&](const MuscleDrive& each) { return contains(muscles, each.muscle); });
       try {
         model.contraction =
             contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : default_rung(group));
@@ -354,7 +352,7 @@ void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& bui
       if (carrier < 0 || built.owner[carrier] != human.name) continue;
       // Exclude contacts with all earlier links on the same carrier.
       for (const auto& [other, link] : roots)
-        if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));
+        if (other == carrier) built.scene.excluded_pairs.emplace_back(link, static_cast<int>(i));
       roots.emplace_back(carrier, static_cast<int>(i));
     }
   }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/pad/law_file.h"
 #include "dynamics/pads/pad_element.h"
 #include "dynamics/scene/scene_pairs.h"
@@ -77,7 +78,7 @@ void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace&
   scene.elements.push_back(std::make_shared<PadElement>(
       fmt::format("pad of {} on {}", pad.on, other.name), a, place.X_BP, b,
       moving_pad(pad, place.scale, object), PadElementOptions{pad.force_error}));
-  scene.apart.emplace_back(std::minmax(a, b));
+  scene.excluded_pairs.emplace_back(std::minmax(a, b));
   ++built.pads;
 }
 
@@ -149,9 +150,8 @@ void set_hard_point_friction(const SceneSpec& spec, BuiltScene& built) {
       const std::pair<int, int> bodies = std::minmax(a, b);
       PairFriction friction = pair_friction(scene, a, b);
       friction.coefficient = *pad.friction;
-      const auto stated = std::find_if(scene.friction_pairs.begin(), scene.friction_pairs.end(),
-                                       [&](const auto& pair) { return pair.first == bodies; });
-      if (stated != scene.friction_pairs.end())
+      const auto is_same = [&](const auto& pair) { return pair.first == bodies; };
+      if (auto* stated = find_where(scene.friction_pairs, is_same))
         stated->second = friction;
       else
         scene.friction_pairs.emplace_back(bodies, friction);

@@ -146,7 +146,7 @@ void exclude_overlapping_links(const SceneSpec& spec, BuiltScene& built) {
       const std::string& owner = built.owner[pair.first];
       if (owner == built.owner[pair.second] && hands.count(owner) > 0) inside.insert(pair);
     }
-  scene.apart.insert(scene.apart.end(), inside.begin(), inside.end());
+  scene.excluded_pairs.insert(scene.excluded_pairs.end(), inside.begin(), inside.end());
 }
 
 }  // namespace
@@ -170,7 +170,8 @@ double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, i
 void set_pairs(const SceneSpec& spec, BuiltScene& built) {
   // Exclude the pairs of the file, and links that overlap by design.
   for (const SceneApartSpec& apart : spec.apart)
-    append_all(built.scene.apart, pairs_between(built, apart.between, spec.path, apart.line));
+    append_all(built.scene.excluded_pairs,
+               pairs_between(built, apart.between, spec.path, apart.line));
   exclude_overlapping_links(spec, built);
   set_friction(spec, built);
   // Warn of initial overlaps.

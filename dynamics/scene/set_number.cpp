@@ -50,9 +50,9 @@ void set_number(BuiltScene& built, const std::string& name, double value) {
     scene.friction.coefficient = value;
     for (auto& [bodies, pair] : scene.friction_pairs) pair.coefficient = value;
   } else if (name == "step") {
-    built.options.step = value;
+    built.options.step_length = value;
   } else if (name == "longest") {
-    built.options.longest = value;
+    built.options.max_step = value;
   } else if (name == "tolerance") {
     built.options.tolerance = value;
   } else if (const std::string body = name_after("mass", name); !body.empty()) {

@@ -44,10 +44,10 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   // Rows must have equal times, which is a jump, or be at least the shortest step apart.
   for (Eigen::Index k = 1; k < out.time.size(); ++k) {
     const double span = out.time[k] - out.time[k - 1];
-    if (span > 0 && span < SceneOptions().shortest)
+    if (span > 0 && span < SceneOptions().min_step)
       throw DataError(path, table.lines[k],
                       fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
-                                  SceneOptions().shortest, span));
+                                  SceneOptions().min_step, span));
   }
   // Check the magnitude of the targets.
   for (Eigen::Index k = 0; k < out.target.size(); ++k)

@@ -35,7 +35,7 @@ std::vector<WorkPoint> work_precision(const MovingScene& scene, SceneOptions opt
                                       const WorkSettings& settings,
                                       const std::function<double(const SceneSample&)>& error) {
   require(settings.repeats >= 1, "wanted at least one run, got {}", settings.repeats);
-  options.sample = options.seconds;
+  options.sample_interval = options.duration;
   std::vector<WorkPoint> points;
   // Vary the tolerance of events, then the step length of time stepping.
   options.method = SteppingMethod::kEvents;
@@ -45,7 +45,7 @@ std::vector<WorkPoint> work_precision(const MovingScene& scene, SceneOptions opt
   }
   options.method = SteppingMethod::kTimeStepping;
   for (const double step : settings.steps) {
-    options.step = step;
+    options.step_length = step;
     points.push_back(measure_point(scene, options, step, settings.repeats, error));
   }
   return points;

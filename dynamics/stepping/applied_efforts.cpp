@@ -1,8 +1,8 @@
 #include "dynamics/stepping/applied_efforts.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "dynamics/stepping/scene_contacts.h"
 
 namespace thenar {
@@ -26,8 +26,8 @@ AppliedEfforts::AppliedEfforts(const MovingScene& scene, const TreeModel& model)
 }
 
 void AppliedEfforts::update_force_kinds() {
-  has_slopes_ = !elements.empty() || !resisting_joints_.empty() ||
-                std::any_of(scene_.drives.begin(), scene_.drives.end(), resists<SceneDrive>);
+  has_slopes_ =
+      !elements.empty() || !resisting_joints_.empty() || any_of(scene_.drives, resists<SceneDrive>);
   has_flows_ = !elements.empty() || has_powers(scene_);
 }
 
@@ -38,12 +38,12 @@ bool AppliedEfforts::compute(SceneMotion& motion, const SceneState& state, Eleme
   damping.setZero();
   add_springs(state);
   for (const SceneDrive& drive : scene_.drives)
-    if (drive.when.holds(selection_time_)) add_drive(drive, state);
+    if (drive.when.contains(selection_time_)) add_drive(drive, state);
   // Set the loads of active forces.
   TreeMotion<double>& links = motion.links();
   if (!scene_.forces.empty()) links.clear_loads();
   for (const SceneForce& force : scene_.forces) {
-    if (!force.when.holds(selection_time_)) continue;
+    if (!force.when.contains(selection_time_)) continue;
     links.add_load(links.link_of(force.body), links.pose(force.body) * force.point, force.force,
                    force.moment);
   }
@@ -85,8 +85,10 @@ void AppliedEfforts::advance_states(double h, SceneState& state) const {
 
 void AppliedEfforts::compute_powers(const SceneMotion& motion, const StepEfforts& at) {
   if (!has_flows_) return;
-  power.head<kFreeFlowCount>() << applied_powers(scene_, model_.layout, motion.links(), at),
-      elements.passive_power();
+  const AppliedPowers powers = applied_powers(scene_, model_.layout, motion.links(), at);
+  power[kAppliedWork] = powers.applied;
+  power[kDamperLoss] = powers.damped;
+  power[kPassiveWork] = elements.passive_power();
 }
 
 double AppliedEfforts::spring_energy(const SceneState& state) const {

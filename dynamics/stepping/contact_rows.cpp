@@ -44,7 +44,7 @@ void ContactRows::assemble(const std::vector<ActiveContact>& list, double h,
   problem.blocks.clear();
   for (const ActiveContact& contact : list) {
     problem.blocks.push_back(make_block(contact, h));
-    rows += rows_of(problem.blocks.back().law);
+    rows += row_count(problem.blocks.back().law);
   }
   Jt.setZero(model_.layout.v, rows);
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
@@ -107,37 +107,33 @@ void ContactRows::apply_restitution(std::vector<ActiveContact>& list) {
 void ContactRows::add_midpoint_terms(const Eigen::VectorXd& v, double h, double recovery,
                                      std::vector<ActiveContact>& list) {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& block, int at) {
-    add_contact_terms(v, h, recovery, at, rows_of(block.law), contact);
+    // Normal: the gap may close by the next midpoint; a contact that touched obeys its law in the
+    // mean of both ends.
+    PreviousSpeeds now;
+    if (contact.kind != RowKind::kJointFriction) {
+      double gap_speed = contact.gap / h;
+      if (contact.mode != ContactMode::kOpen) {
+        now.closing = 2 * gap_speed;
+        gap_speed = damped_mean(now.closing, contact.previous.closing);
+      }
+      problem.b[at] += std::max(gap_speed, -recovery);
+    }
+    // Tangents and spin: a contact that stuck obeys its law in the mean, too.
+    const bool has_friction = contact.kind == RowKind::kContact && row_count(block.law) > 1;
+    if (has_friction && contact.mode == ContactMode::kStick) {
+      const Tangents sides = tangents(contact.normal);
+      now.drift = Jt.col(at + 1).dot(v) * sides.e1 + Jt.col(at + 2).dot(v) * sides.e2;
+      Eigen::Vector3d drift;
+      for (int i = 0; i < 3; ++i) drift[i] = damped_mean(now.drift[i], contact.previous.drift[i]);
+      problem.b[at + 1] += sides.e1.dot(drift);
+      problem.b[at + 2] += sides.e2.dot(drift);
+      if (block.law == ConstraintLaw::kSoftFinger) {
+        now.spin = Jt.col(at + 3).dot(v);
+        problem.b[at + 3] += damped_mean(now.spin, contact.previous.spin);
+      }
+    }
+    contact.previous = now;
   });
-}
-
-void ContactRows::add_contact_terms(const Eigen::VectorXd& v, double h, double recovery, int at,
-                                    int rows, ActiveContact& contact) {
-  // Normal: the gap may close by the next midpoint; a contact that touched obeys its law in the
-  // mean of both ends.
-  PreviousSpeeds now;
-  if (contact.kind != RowKind::kJointFriction) {
-    double gap_speed = contact.gap / h;
-    if (contact.mode != ContactMode::kOpen) {
-      now.closing = 2 * gap_speed;
-      gap_speed = damped_mean(now.closing, contact.previous.closing);
-    }
-    problem.b[at] += std::max(gap_speed, -recovery);
-  }
-  // Tangents and spin: a contact that stuck obeys its law in the mean, too.
-  if (contact.kind == RowKind::kContact && contact.mode == ContactMode::kStick && rows > 1) {
-    const Tangents sides = tangents(contact.normal);
-    now.drift = Jt.col(at + 1).dot(v) * sides.e1 + Jt.col(at + 2).dot(v) * sides.e2;
-    Eigen::Vector3d drift;
-    for (int i = 0; i < 3; ++i) drift[i] = damped_mean(now.drift[i], contact.previous.drift[i]);
-    problem.b[at + 1] += sides.e1.dot(drift);
-    problem.b[at + 2] += sides.e2.dot(drift);
-    if (rows > 3) {
-      now.spin = Jt.col(at + 3).dot(v);
-      problem.b[at + 3] += damped_mean(now.spin, contact.previous.spin);
-    }
-  }
-  contact.previous = now;
 }
 
 const Eigen::VectorXd& ContactRows::warm_start(const std::vector<ActiveContact>& list) {

@@ -54,14 +54,12 @@ class ContactRows {
     int at = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
       call(list[k], problem.blocks[k], at);
-      at += rows_of(problem.blocks[k].law);
+      at += row_count(problem.blocks[k].law);
     }
   }
   [[nodiscard]] ContactBlock make_block(const ActiveContact& contact, double h) const;
   void fill_jacobian(const ActiveContact& contact, ConstraintLaw law, int at,
                      const TreeMotion<double>& links);
-  void add_contact_terms(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
-                         ActiveContact& contact);
 
   const MovingScene& scene_;
   const TreeModel& model_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "dynamics/mechanism/articulated_body.h"
 #include "dynamics/stepping/applied_efforts.h"
 #include "dynamics/stepping/contact_rows.h"
@@ -61,9 +62,9 @@ struct ContactStep::Parts {
     return false;
   }
 
-  /// Returns the input of elements at a state, with the links moved there.
+  /// Returns the input of elements at a state, with the links moved there if there are elements.
   ElementInput element_input(const SceneState& state) {
-    motion.set_state(state);
+    if (!efforts.elements.empty()) motion.set_state(state);
     return efforts.element_input(motion, state);
   }
 
@@ -389,10 +390,9 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
     std::vector<ActiveContact> pressed;
     double max_gap = 0;
     for (ActiveContact& contact : p.found) {
-      const bool has_force =
-          std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& old) {
-            return old.is_same_contact(contact) && old.mode != ContactMode::kOpen;
-          });
+      const bool has_force = any_of(touching, [&](const ActiveContact& old) {
+        return old.is_same_contact(contact) && old.mode != ContactMode::kOpen;
+      });
       if (!has_force || contact.kind == Kind::kJointFriction) continue;
       contact.friction = {};
       max_gap = std::max(max_gap, std::abs(contact.gap));
@@ -449,25 +449,21 @@ Eigen::VectorBlock<const EnergyFlows> ContactStep::free_powers() const {
 // Force elements.
 
 double ContactStep::element_step_error(const SceneState& state) {
-  SceneElements& elements = parts_->efforts.elements;
-  return elements.empty() ? 0 : elements.max_step_error(parts_->element_input(state));
+  return parts_->efforts.elements.max_step_error(parts_->element_input(state));
 }
 
 void ContactStep::accept_step(const SceneState& state) {
-  SceneElements& elements = parts_->efforts.elements;
-  if (!elements.empty()) elements.accept_step(parts_->element_input(state));
+  parts_->efforts.elements.accept_step(parts_->element_input(state));
 }
 
 double ContactStep::max_element_step() const { return parts_->efforts.elements.max_step_length(); }
 
 void ContactStep::add_element_contacts(const SceneState& state, std::vector<ContactSample>& out) {
-  SceneElements& elements = parts_->efforts.elements;
-  if (!elements.empty()) elements.add_contacts(parts_->element_input(state), out);
+  parts_->efforts.elements.add_contacts(parts_->element_input(state), out);
 }
 
 bool ContactStep::elements_may_start_motion(const SceneState& state) {
-  const SceneElements& elements = parts_->efforts.elements;
-  return !elements.empty() && elements.may_start_motion(parts_->element_input(state));
+  return parts_->efforts.elements.may_start_motion(parts_->element_input(state));
 }
 
 std::vector<ElementControl> ContactStep::element_controls() const {
@@ -479,9 +475,7 @@ void ContactStep::set_element_control(const std::string& name, double value) {
 }
 
 std::vector<ElementValue> ContactStep::element_readings(const SceneState& state) {
-  SceneElements& elements = parts_->efforts.elements;
-  if (elements.empty()) return {};
-  return elements.readings(parts_->element_input(state));
+  return parts_->efforts.elements.readings(parts_->element_input(state));
 }
 
 }  // namespace thenar

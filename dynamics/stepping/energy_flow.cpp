@@ -1,7 +1,8 @@
 #include "dynamics/stepping/energy_flow.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -31,16 +32,16 @@ double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
 
 bool has_powers(const MovingScene& scene) {
   return !scene.forces.empty() || !scene.drives.empty() ||
-         std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(),
-                     [](const MechanismJoint& joint) { return joint.damping > 0; });
+         any_of(scene.mechanism.joints, [](const auto& joint) { return joint.damping > 0; });
 }
 
-Eigen::Vector2d applied_powers(const MovingScene& scene, const MechanismLayout& layout,
-                               const TreeMotion<double>& motion, const StepEfforts& at) {
+AppliedPowers applied_powers(const MovingScene& scene, const MechanismLayout& layout,
+                             const TreeMotion<double>& motion, const StepEfforts& at) {
   // Sum the powers of forces and active drives.
-  double applied = scene.forces.empty() ? 0 : power_of_loads(motion), damped = 0;
+  AppliedPowers out;
+  if (!scene.forces.empty()) out.applied = power_of_loads(motion);
   for (const SceneDrive& drive : scene.drives)
-    if (drive.when.holds(at.selection_time)) applied += power_of_drive(drive, layout, at);
+    if (drive.when.contains(at.selection_time)) out.applied += power_of_drive(drive, layout, at);
   // Sum joint dampers, evaluated at the velocity that the step uses, times the mean speed.
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = scene.mechanism.joints[i];
@@ -48,9 +49,9 @@ Eigen::Vector2d applied_powers(const MovingScene& scene, const MechanismLayout& 
     const int row = layout.first_v[i];
     const double slope = joint_value(joint, at.q[layout.first_q[i]]).slope;
     const double speed = at.v[row] + at.theta * (at.v_end[row] - at.v[row]);
-    damped += joint.damping * slope * slope * speed * 0.5 * (at.v[row] + at.v_end[row]);
+    out.damped += joint.damping * slope * slope * speed * 0.5 * (at.v[row] + at.v_end[row]);
   }
-  return {applied, damped};
+  return out;
 }
 
 }  // namespace thenar

@@ -36,13 +36,16 @@ struct StepEfforts {
   const Eigen::VectorXd &q, &v, &v_end;  // positions and velocities (q), (v), (v)
 };
 
+/// Mean powers over a step.
+struct AppliedPowers {
+  double applied = 0;  // of forces and drives on the scene, rate of kAppliedWork [W]
+  double damped = 0;   // dissipated by dampers of joints, rate of kDamperLoss [W]
+};
+
 /// Computes the mean powers of forces and drives, and of joint dampers, over a step: linearised
 /// efforts times the mean velocity.
 /// @param motion  velocities of links and loads of the active forces, whose power it gives
-/// @return rates of kAppliedWork and kDamperLoss [W] (2)
-[[nodiscard]] Eigen::Vector2d applied_powers(const MovingScene& scene,
-                                             const MechanismLayout& layout,
-                                             const TreeMotion<double>& motion,
-                                             const StepEfforts& at);
+[[nodiscard]] AppliedPowers applied_powers(const MovingScene& scene, const MechanismLayout& layout,
+                                           const TreeMotion<double>& motion, const StepEfforts& at);
 
 }  // namespace thenar

@@ -34,7 +34,7 @@ EventStepper::EventStepper(const MovingScene& scene, const SceneOptions& options
       trials_(step_, options, counts_, state_),
       touching_(step_, options, counts_, cost),
       control_(options),
-      next_length_(kInitialStepRatio * options.longest) {
+      next_length_(kInitialStepRatio * options.max_step) {
   step_.set_solver_options(options.contacts);
 }
 
@@ -62,7 +62,7 @@ bool EventStepper::take_step(double stop) {
   // Divide the time to the next stop into equal steps no longer than the proposed length.
   const double left = next_stop(stop) - state_.t, max_length = control_.max_length();
   next_length_ =
-      std::min({next_length_, max_length, std::max(step_.max_element_step(), options_.shortest)});
+      std::min({next_length_, max_length, std::max(step_.max_element_step(), options_.min_step)});
   const double parts =
       std::ceil(left / std::min(kMaxStretch * next_length_, max_length) - kLengthRounding);
   return take_adaptive_step(parts > 1 ? left / parts : left, left, stop) > 0;
@@ -96,11 +96,11 @@ void EventStepper::skip_chattering(double stop) {
   for (int i = 0; i < kBurstSteps && is_finite(state_); ++i)
     part = fixed_.take_step(step_, h, options_, state_, last, cost_);
   state_.t = end;
-  ++cost_.passed;
+  ++cost_.chatter_bursts;
   touching_.set_closed(last, part);
   if (!is_finite(state_)) return;
   // Record joint limits, then update contacts at the end and resolve their impacts.
-  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.limit_excess);
   step_.accept_step(state_);
   step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
   touching_.update_with_impacts(state_, trials_.end_contacts());
@@ -109,7 +109,7 @@ void EventStepper::skip_chattering(double stop) {
 /// Passes time at rest, to the next switching time at most.
 void EventStepper::skip_rest(double stop) {
   const double end = next_stop(stop);
-  cost_.asleep += end - state_.t;
+  cost_.rest_time += end - state_.t;
   state_.t = end;
   step_.accept_step(state_);
   wake_at_switches();
@@ -120,12 +120,12 @@ void EventStepper::skip_rest(double stop) {
 double EventStepper::take_adaptive_step(double wanted, double left, double stop) {
   double length = control_.first_trial_length(state_.t, wanted);
   if (!find_accepted_length(length)) return 0;
-  if (trials_.result().error > 1) ++cost_.coarse;
+  if (trials_.result().error > 1) ++cost_.inaccurate_steps;
   // Accept the trial with its contacts at the end, then propose the next length.
   trials_.find_end_contacts();
   was_solved_ = counts_.unsolved() == 0;
   accept_trial(length, length == left ? next_stop(stop) : state_.t + length);
-  next_length_ = std::max(control_.next_step_length(trials_, length), options_.shortest);
+  next_length_ = std::max(control_.next_step_length(trials_, length), options_.min_step);
   return length;
 }
 
@@ -138,17 +138,17 @@ bool EventStepper::find_accepted_length(double& length) {
     trials_.try_step({state_, touching_.closed(), touching_.impulse_time()}, length);
     const StepTrial& trial = trials_.result();
     // Give up if even the shortest step overflows.
-    if (!std::isfinite(trial.error) && length <= options_.shortest) return false;
-    // A step longer than options_.longest is valid only if positions hardly move.
-    if (length > (1 + kLengthRounding) * options_.longest &&
+    if (!std::isfinite(trial.error) && length <= options_.min_step) return false;
+    // A step longer than options_.max_step is valid only if positions hardly move.
+    if (length > (1 + kLengthRounding) * options_.max_step &&
         max_displacement(trial, length) >= kSearchMargin) {
       ++cost_.rejected;
-      length = control_.cap_at_longest();
+      length = control_.cap_at_max_step();
       continue;
     }
     // Accept a trial without closing gap and with a small error, if its other errors are small too.
     double error = 0;
-    if (trial.closing_time < 0 && (trial.error <= 1 || length <= options_.shortest)) {
+    if (trial.closing_time < 0 && (trial.error <= 1 || length <= options_.min_step)) {
       error = trial_error(length, unsolved_trials);
       if (error <= 1) return true;
     }
@@ -157,8 +157,8 @@ bool EventStepper::find_accepted_length(double& length) {
     if (error > 1) {
       trials_.discard_rates();
       length = control_.shorten_for_elements(error, length);
-    } else if (trial.closing_time >= 0 && trial.closing_time <= options_.shortest &&
-               length <= options_.shortest) {
+    } else if (trial.closing_time >= 0 && trial.closing_time <= options_.min_step &&
+               length <= options_.min_step) {
       control_.record_rejection();
       return true;  // the gap closes within the shortest step
     } else {
@@ -171,7 +171,7 @@ bool EventStepper::find_accepted_length(double& length) {
 /// if contact problems are unsolved and a shorter step may solve them [1].
 double EventStepper::trial_error(double length, int& unsolved_trials) {
   const double error = step_.element_step_error(trials_.result().state);
-  if (length <= options_.shortest) return 0;
+  if (length <= options_.min_step) return 0;
   if (error > 1) return error;
   // Repeat an unsolved step a few times, unless the previous step stayed unsolved, too.
   const bool repeats =
@@ -195,7 +195,7 @@ void EventStepper::accept_trial(double length, double end) {
   touching_.set_closed(trial.active, trial.h);
   counts_.accept();
   ++cost_.steps;
-  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.limit_excess);
   // Correct gaps and resolve impacts at the end.
   const std::vector<ActiveContact>& closed = touching_.closed();
   const bool slides =

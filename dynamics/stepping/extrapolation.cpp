@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+
 namespace thenar {
 namespace {
 
@@ -28,7 +30,9 @@ Extrapolation::Extrapolation(const SceneState& like, int max_columns)
   rows_.fill(like);
 }
 
-void Extrapolation::add_column(const SceneState& column) {
+void Extrapolation::add_column(const SceneState& column, int substeps) {
+  require(substeps == columns_ + 1 && substeps <= max_columns_ && !verdict_,
+          "no column of {} substeps follows {} columns of this step", substeps, columns_);
   ++columns_;
   SceneState& last = rows_[index(columns_ - 1)];
   last = column;
@@ -47,21 +51,23 @@ void Extrapolation::add_column(const SceneState& column) {
   }
 }
 
-Extrapolation::Verdict Extrapolation::judge(double error) {
+std::optional<Extrapolation::Verdict> Extrapolation::judge(double error) {
+  require(columns_ >= 2 && !verdict_, "wanted two columns of an undecided step, got {}", columns_);
   errors_[index(columns_)] = error;
-  if (error <= 1 && columns_ >= target_columns_ - 1) return Verdict::kAccept;
-  const int last = std::min(target_columns_ + 1, max_columns_);
-  if (columns_ >= last) return Verdict::kReject;
+  if (error <= 1 && columns_ >= target_columns_ - 1) return verdict_ = Verdict::kAccept;
   // Allow one column beyond the target if it can reduce the error enough.
   const double next = columns_ + 1;
-  const bool hopeless = columns_ == target_columns_ && !(error <= next * next);
-  return hopeless ? Verdict::kReject : Verdict::kContinue;
+  const bool is_last = columns_ >= std::min(target_columns_ + 1, max_columns_);
+  const bool is_hopeless = columns_ == target_columns_ && !(error <= next * next);
+  if (is_last || is_hopeless) verdict_ = Verdict::kReject;
+  return verdict_;
 }
 
-double Extrapolation::next_length(double length, double longest, Verdict verdict) {
+double Extrapolation::plan_next(double length, double max_length) {
+  require(verdict_.has_value(), "wanted a verdict before the next step is planned");
   // Choose the number of columns with the least work per time.
   const auto length_of = [&](int n) {
-    return std::min(longest, length * growth(errors_[index(n)], n));
+    return std::min(max_length, length * growth(errors_[index(n)], n));
   };
   int best = 2;
   for (int n = 3; n <= columns_; ++n)
@@ -70,13 +76,14 @@ double Extrapolation::next_length(double length, double longest, Verdict verdict
   // Shorten after a rejection; do not grow right after a repeated step.
   double next = std::max(length_of(best), kMinShrink * length);
   const bool again = was_rejected_;
-  was_rejected_ = verdict == Verdict::kReject;
+  was_rejected_ = verdict_ == Verdict::kReject;
+  verdict_.reset();
   if (was_rejected_) return std::min(next, kRejectedShrink * length);
   if (again) return std::min(next, length);
   // Aim at one more column if the last one paid.
-  if (best == columns_ && best < max_columns_ && next < longest) {
+  if (best == columns_ && best < max_columns_ && next < max_length) {
     ++target_columns_;
-    next = std::min(longest, next * work(target_columns_) / work(best));
+    next = std::min(max_length, next * work(target_columns_) / work(best));
   }
   return next;
 }

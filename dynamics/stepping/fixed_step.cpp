@@ -31,8 +31,8 @@ double FixedStep::take_step(ContactStep& step, double h, const SceneOptions& opt
       motion = std::max(motion, step.tunnelling_ratio(from, state, last));
     }
     // Accept if motion is small enough, parts are the shortest, or the state is not finite.
-    if (motion <= 1 || part <= options.shortest || !is_finite(state)) {
-      if (motion > 1) ++cost.leaps;
+    if (motion <= 1 || part <= options.min_step || !is_finite(state)) {
+      if (motion > 1) ++cost.tunnelling_steps;
       cost.unsolved += unsolved;
       cost.worst_residual = std::max(cost.worst_residual, residual);
       return part;

@@ -14,7 +14,7 @@ namespace thenar {
 class FixedStep {
  public:
   /// Takes one step in 1, 2, 4, .. equal parts: the fewest whose ContactStep::tunnelling_ratio() is
-  /// at most 1, or parts no longer than SceneOptions::shortest.
+  /// at most 1, or parts no longer than SceneOptions::min_step.
   /// @param h         length of the whole step [s]
   /// @param state     state at the start, replaced by that at the end
   /// @param last      contacts of the previous part, replaced by those of the last part

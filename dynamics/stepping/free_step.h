@@ -18,10 +18,10 @@ class FreeStep {
 
   /// Error estimate of a step.
   struct Error {
-    double q;    // error of positions [m], [rad]
-    double v;    // error of velocities [m/s], [rad/s]
-    double z;    // error of element states, each in its unit
-    bool acted;  // all elements had a valid force at all stages
+    double q = 0;       // error of positions [m], [rad]
+    double v = 0;       // error of velocities [m/s], [rad/s]
+    double z = 0;       // error of element states, each in its unit
+    bool acted = true;  // all elements had a valid force at all stages
   };
 
   /// Advances a state by h [s] and normalises its quaternions; the error estimate falls as h^8. A

@@ -42,7 +42,7 @@ void add_impulse_losses(const std::vector<ActiveContact>& list,
       pair = {};
     }
     // Add the work of the normal to the sum that its previous mode selects, then that of friction.
-    const Eigen::Index tangent_rows = rows_of(blocks[k].law) - 1;
+    const Eigen::Index tangent_rows = row_count(blocks[k].law) - 1;
     const double first_loss = -f[at] * mean_u[at];
     double& loss = contact.kind == Kind::kJointFriction ? pair.friction
                    : contact.mode == ContactMode::kOpen ? pair.new_normals

@@ -1,6 +1,6 @@
 #include "dynamics/stepping/meeting_pairs.h"
 
-#include <algorithm>
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -41,8 +41,7 @@ std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
 }
 
 bool has_pair(const std::vector<std::pair<int, int>>& pairs, int a, int b) {
-  return std::find(pairs.begin(), pairs.end(), std::pair(a, b)) != pairs.end() ||
-         std::find(pairs.begin(), pairs.end(), std::pair(b, a)) != pairs.end();
+  return contains(pairs, std::pair(a, b)) || contains(pairs, std::pair(b, a));
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
       if (!scene.mechanism.bodies[i].solid || !scene.mechanism.bodies[j].solid) continue;
       const int a = static_cast<int>(i), b = static_cast<int>(j);
       if (model.bodies[i].link != model.bodies[j].link &&
-          !has_pair(connected, group[i], group[j]) && !has_pair(scene.apart, a, b))
+          !has_pair(connected, group[i], group[j]) && !has_pair(scene.excluded_pairs, a, b))
         pairs.emplace_back(a, b);
     }
   return pairs;

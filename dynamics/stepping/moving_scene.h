@@ -19,7 +19,7 @@ struct TimeSpan {
   double from = 0;                                      // first instant [s]
   double to = std::numeric_limits<double>::infinity();  // end, excluded [s]
 
-  [[nodiscard]] bool holds(double t) const { return t >= from && t < to; }
+  [[nodiscard]] bool contains(double t) const { return t >= from && t < to; }
 };
 
 /// Constant force and moment on a body, in world axes.
@@ -56,8 +56,8 @@ struct SceneDrive {
 
 /// Target of a drive and its rate.
 struct DriveTarget {
-  double value;  // target [rad] or [m]
-  double speed;  // rate of the target [rad/s] or [m/s]
+  double value = 0;  // target [rad] or [m]
+  double speed = 0;  // rate of the target [rad/s] or [m/s]
 };
 
 /// Computes the target of a drive at an instant. A step evaluates one line segment of the table
@@ -87,10 +87,10 @@ struct MovingScene {
   std::vector<std::shared_ptr<const ForceElement>> elements;
   PairFriction friction{};  // friction of pairs that are not listed below
   std::vector<std::pair<std::pair<int, int>, PairFriction>>
-      friction_pairs;                      // pairs of bodies with own friction
-  std::vector<std::pair<int, int>> apart;  // pairs of bodies excluded from contact
-  Eigen::VectorXd q;                       // positions at the start (q)
-  Eigen::VectorXd v;                       // velocities at the start (v)
+      friction_pairs;                               // pairs of bodies with own friction
+  std::vector<std::pair<int, int>> excluded_pairs;  // pairs of bodies excluded from contact
+  Eigen::VectorXd q;                                // positions at the start (q)
+  Eigen::VectorXd v;                                // velocities at the start (v)
 };
 
 /// Checks a scene.

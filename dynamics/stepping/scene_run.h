@@ -31,14 +31,14 @@ inline constexpr std::array kSteppingMethodNames{
 /// Options of a simulation. A comment names the methods that use an option; without one, all do.
 struct SceneOptions {
   SteppingMethod method = SteppingMethod::kEvents;
-  double seconds = 1;       // simulated time [s]
-  double sample = 1e-2;     // time between samples [s]
-  double step = 1e-3;       // kTimeStepping: step length [s]
-  double longest = 2e-2;    // all but kTimeStepping: longest step; five times that by kEvents
-                            // without elements while nothing moves by 0.1 mm, 0.1 mrad [s]
+  double duration = 1;            // simulated time [s]
+  double sample_interval = 1e-2;  // time between samples [s]
+  double step_length = 1e-3;      // kTimeStepping: step length [s]
+  double max_step = 2e-2;         // all but kTimeStepping: longest step; five times that by kEvents
+                                  // without elements while nothing moves by 0.1 mm, 0.1 mrad [s]
   double tolerance = 1e-9;  // all but kTimeStepping: error of a step in positions [m], [rad], and
                             // in velocities over 100 [m/s], [rad/s]
-  double shortest = 1e-9;   // kEvents, kTimeStepping: shortest step [s]
+  double min_step = 1e-9;   // kEvents, kTimeStepping: shortest step [s]
   double touch = 1e-9;      // kEvents: largest gap that counts as closed [m]
   double recovery = 0.1;  // kEvents, kTimeStepping: speed at which penetration is pushed out [m/s]
   ContactSolverOptions contacts{};  // contact solver; kPyramid: the complementarity problem of
@@ -96,17 +96,17 @@ struct SceneCost {
   long rejected = 0;          // trial steps rejected for their error or an event
   long substeps = 0;          // contact problems solved and accelerations evaluated
   long impacts = 0;           // instants at which impacts were resolved
-  long passed = 0;            // bursts of fixed steps through chattering contacts
+  long chatter_bursts = 0;    // bursts of fixed steps through chattering contacts
   long unsolved = 0;          // contact problems that missed the tolerance
-  long leaps = 0;             // fixed steps, divided into the shortest parts, in which surfaces may
+  long tunnelling_steps = 0;  // fixed steps, divided into the shortest parts, in which surfaces may
                               // still have passed through each other
-  long coarse = 0;            // shortest steps whose error exceeded the tolerance
+  long inaccurate_steps = 0;  // shortest steps whose error exceeded the tolerance
   double worst_residual = 0;  // largest ContactResidual::natural of any step [1]
-  double deepest = 0;         // largest penetration at the end of any step but the first [m]
-  Eigen::VectorXd beyond{};   // largest excess over a limit at the end of any step [rad] or [m]
-                              // (joints); empty: not recorded
-  double asleep = 0;          // simulated time at rest [s]
-  double cpu_seconds = 0;     // processor time of the calling thread [s]
+  double max_penetration = 0;      // largest penetration at the end of any step but the first [m]
+  Eigen::VectorXd limit_excess{};  // largest excess over a limit at the end of any step [rad] or
+                                   // [m] (joints); empty: not recorded
+  double rest_time = 0;            // simulated time at rest [s]
+  double cpu_seconds = 0;          // processor time of the calling thread [s]
 };
 
 /// Result of a simulation.

@@ -1,6 +1,6 @@
 #include "dynamics/stepping/scene_sleep.h"
 
-#include <algorithm>
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -9,8 +9,8 @@ constexpr double kStillSpeed = 1e-11;  // largest speed at rest [m/s], [rad/s]
 
 /// Returns true if an active drive has a moving target.
 bool drives_move(const MovingScene& scene, double t) {
-  return std::any_of(scene.drives.begin(), scene.drives.end(), [&](const SceneDrive& drive) {
-    return drive.when.holds(t) && drive_target(drive, t, t).speed != 0;
+  return any_of(scene.drives, [&](const SceneDrive& drive) {
+    return drive.when.contains(t) && drive_target(drive, t, t).speed != 0;
   });
 }
 

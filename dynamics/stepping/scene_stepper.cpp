@@ -17,7 +17,7 @@ constexpr double kSameInstant = 1e-6;  // difference of equal instants over the 
 }  // namespace
 
 long fixed_steps(const SceneOptions& options) {
-  return std::max(1L, std::lround(options.seconds / options.step));
+  return std::max(1L, std::lround(options.duration / options.step_length));
 }
 
 SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options)
@@ -27,7 +27,7 @@ SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options
       switching_times_(switching_times(scene)) {
   check_scene_options(options);
   step_.set_solver_options(options.contacts);
-  length_ = options.seconds / static_cast<double>(fixed_steps(options));
+  length_ = options.duration / static_cast<double>(fixed_steps(options));
   now_.state = step_.initial_state();
 }
 
@@ -69,10 +69,10 @@ bool SceneStepper::step_to(double end, const Progress& progress) {
   now_.state.t = end;
   if (is_finite(now_.state)) step_.accept_step(now_.state);
   ++cost_.steps;
-  update_limit_excess(scene().mechanism, model().layout, now_.state.q, cost_.beyond);
+  update_limit_excess(scene().mechanism, model().layout, now_.state.q, cost_.limit_excess);
   for (const ActiveContact& contact : now_.active)
     if (!is_first && contact.kind == ActiveContact::Kind::kContact)
-      cost_.deepest = std::max(cost_.deepest, -contact.gap);
+      cost_.max_penetration = std::max(cost_.max_penetration, -contact.gap);
   return true;
 }
 
@@ -98,7 +98,7 @@ double SceneStepper::effort(int coordinate, const SceneInstant& instant) const {
   const SceneState& state = instant.state;
   double sum = 0;
   for (const SceneDrive& drive : scene().drives)
-    if (drive.coordinate == coordinate && drive.when.holds(state.t))
+    if (drive.coordinate == coordinate && drive.when.contains(state.t))
       sum += drive_effort(drive, state.q[layout.coordinate_q[c]], state.v[layout.coordinate_v[c]],
                           state.t, state.t);
   return sum;

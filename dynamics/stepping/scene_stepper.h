@@ -19,9 +19,9 @@ struct SceneInstant {
 };
 
 /// Stepper of fixed step length: the steps of simulate_scene() by kTimeStepping, which it
-/// reproduces bit for bit if no input is set. The length is SceneOptions::step, adjusted so that
-/// `seconds` is a whole number of steps; stepping may continue beyond that. Switching times divide
-/// a step.
+/// reproduces bit for bit if no input is set. The length is SceneOptions::step_length, adjusted so
+/// that `seconds` is a whole number of steps; stepping may continue beyond that. Switching times
+/// divide a step.
 ///
 /// Results are bitwise reproducible for the same scene, inputs and steps.
 class SceneStepper {

@@ -16,7 +16,8 @@ namespace {
 
 /// Returns the instant of the next sample after t [s].
 double sample_after(double t, const SceneOptions& options) {
-  return options.sample * static_cast<double>(std::lround(t / options.sample) + 1);
+  return options.sample_interval *
+         static_cast<double>(std::lround(t / options.sample_interval) + 1);
 }
 
 /// Simulates by kEvents to the end, or until the state is not finite or the caller stops.
@@ -37,16 +38,16 @@ void run_events(const MovingScene& scene, const SceneOptions& options, const Pro
   first.energy = stepper.energy_at(start);
   first.w = start.w;
   // Step from sample to sample, until the end, a stop or a state that is not finite.
-  while (stepper.state().t < options.seconds && run.status == SceneStatus::kDone) {
-    progress(stepper.state().t / options.seconds, "");
+  while (stepper.state().t < options.duration && run.status == SceneStatus::kDone) {
+    progress(stepper.state().t / options.duration, "");
     if (progress.stop()) {
       run.status = SceneStatus::kStopped;
       return;
     }
-    const bool is_possible = stepper.take_step(std::min(options.seconds, next_sample));
+    const bool is_possible = stepper.take_step(std::min(options.duration, next_sample));
     const double t = stepper.state().t;
     const bool finite = is_finite(stepper.state());
-    if (finite && (t + 1e-12 >= next_sample || t >= options.seconds)) keep();
+    if (finite && (t + 1e-12 >= next_sample || t >= options.duration)) keep();
     if (!is_possible || !finite) run.status = SceneStatus::kNotFinite;
   }
 }
@@ -73,7 +74,7 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
       run.status = SceneStatus::kNotFinite;
       break;
     }
-    progress(t / options.seconds, "");
+    progress(t / options.duration, "");
     if (progress.stop())
       run.status = SceneStatus::kStopped;
     else if (t >= next_sample - 0.5 * stepper.length() || i + 1 == steps)
@@ -85,12 +86,12 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
 }  // namespace
 
 void check_scene_options(const SceneOptions& options) {
-  require(options.seconds > 0 && std::isfinite(options.seconds), "wanted seconds above 0, got {}",
-          options.seconds);
-  for (const auto& [name, value] : {std::pair{"sample", options.sample},
-                                    {"step", options.step},
-                                    {"longest step", options.longest},
-                                    {"shortest step", options.shortest},
+  require(options.duration > 0 && std::isfinite(options.duration), "wanted seconds above 0, got {}",
+          options.duration);
+  for (const auto& [name, value] : {std::pair{"sample", options.sample_interval},
+                                    {"step", options.step_length},
+                                    {"longest step", options.max_step},
+                                    {"shortest step", options.min_step},
                                     {"tolerance", options.tolerance},
                                     {"touch", options.touch}})
     require(value > 0, "wanted a {} above 0, got {}", name, value);

@@ -23,7 +23,7 @@ namespace thenar {
 /// it stays unsolved, the following steps are not repeated, until one of them is solved.
 ///
 /// If 200 steps advance the time by less than 0.1 ms (a rim that rattles on an edge), ten midpoint
-/// steps advance it by 1 ms; SceneCost::passed counts these bursts.
+/// steps advance it by 1 ms; SceneCost::chatter_bursts counts these bursts.
 ///
 /// kTimeStepping: ContactStep::take_midpoint_step(), without restitution; steps also end at the
 /// switching times of forces, drives and elements. Gaps and penetrations are those at the midpoint.

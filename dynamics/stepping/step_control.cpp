@@ -7,7 +7,7 @@ namespace thenar {
 namespace {
 
 // Ratios of step lengths [1].
-constexpr double kQuietFactor = 5;      // longest step of a quiet scene over SceneOptions::longest
+constexpr double kQuietFactor = 5;      // longest step of a quiet scene over SceneOptions::max_step
 constexpr double kChangeMargin = 0.97;  // step before a mode change over the time to the change
 constexpr double kAfterChangeRatio = 0.5;   // shortest step after a mode change over the usual one
 constexpr double kModeChangeGrowth = 1.5;   // step after one that contains a mode change over it
@@ -22,7 +22,7 @@ constexpr double kMinError = 1e-9;  // smaller errors do not lengthen the next s
 }  // namespace
 
 void StepControl::set_max_length(bool is_quiet) {
-  max_length_ = (is_quiet ? kQuietFactor : 1) * options_.longest;
+  max_length_ = (is_quiet ? kQuietFactor : 1) * options_.max_step;
 }
 
 double StepControl::first_trial_length(double t, double wanted) {
@@ -30,7 +30,7 @@ double StepControl::first_trial_length(double t, double wanted) {
   double length = wanted;
   // End just before the mode change that a rejected trial of the previous step predicted.
   const double ahead = kChangeMargin * (expected_change_ - t);
-  if (ahead > options_.shortest && ahead < length) {
+  if (ahead > options_.min_step && ahead < length) {
     is_shortened_for_change_ = ends_before_change_ = true;
     length = ahead;
   }
@@ -38,9 +38,9 @@ double StepControl::first_trial_length(double t, double wanted) {
   return length;
 }
 
-double StepControl::cap_at_longest() {
+double StepControl::cap_at_max_step() {
   rejected_ = true;
-  return options_.longest;
+  return options_.max_step;
 }
 
 void StepControl::record_rejection() {
@@ -52,17 +52,17 @@ double StepControl::shorten_for_elements(double step_error, double length) {
   record_rejection();
   // The error of elements is quadratic in the step length.
   return std::max(length * std::clamp(kSafety / std::sqrt(step_error), 0.2, 0.8),
-                  options_.shortest);
+                  options_.min_step);
 }
 
 double StepControl::shorten_after_rejection(StepTrials& trials, double t, double length) {
   const StepTrial& trial = trials.result();
   record_rejection();
-  if (trial.closing_time >= 0 && trial.closing_time > options_.shortest) {
+  if (trial.closing_time >= 0 && trial.closing_time > options_.min_step) {
     // End at the instant at which the gap closes.
     length = std::min(trial.closing_time, kClosingRatio * length);
-  } else if (trials.verdict() == Extrapolation::Verdict::kReject) {
-    length = trials.next_length(length, max_length_);
+  } else if (trials.extrapolation().verdict() == Extrapolation::Verdict::kReject) {
+    length = trials.extrapolation().plan_next(length, max_length_);
   } else if (trial.is_smooth && std::isfinite(trial.error)) {
     // Scale by the error and its order in the length.
     length *= std::clamp(kSafety * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
@@ -75,7 +75,7 @@ double StepControl::shorten_after_rejection(StepTrials& trials, double t, double
     if (trial.change_time >= 0 && !ends_before_change_) expected_change_ = t + trial.change_time;
     length = ends_before_change_ ? kChangeMargin * trial.change_time : 0.5 * length;
   }
-  return std::max(length, options_.shortest);
+  return std::max(length, options_.min_step);
 }
 
 double StepControl::next_step_length(StepTrials& trials, double length) {
@@ -99,8 +99,8 @@ double StepControl::next_step_length(StepTrials& trials, double length) {
 double StepControl::length_by_error(StepTrials& trials, double length) {
   const StepTrial& trial = trials.result();
   if (!trial.is_smooth) return length * (rejected_ ? 1 : kModeChangeGrowth);
-  const double next = trials.verdict() == Extrapolation::Verdict::kAccept
-                          ? trials.next_length(length, max_length_)
+  const double next = trials.extrapolation().verdict() == Extrapolation::Verdict::kAccept
+                          ? trials.extrapolation().plan_next(length, max_length_)
                           : length * free_growth(trial);
   return rejected_ ? std::min(next, length) : next;
 }

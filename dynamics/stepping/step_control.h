@@ -11,11 +11,11 @@ class StepControl {
  public:
   /// @param options  must outlive the object
   explicit StepControl(const SceneOptions& options)
-      : options_(options), max_length_(options.longest) {}
+      : options_(options), max_length_(options.max_step) {}
 
   /// Returns the largest step length at present [s].
   [[nodiscard]] double max_length() const { return max_length_; }
-  /// Sets the largest step length: SceneOptions::longest, or a multiple of it for a quiet scene.
+  /// Sets the largest step length: SceneOptions::max_step, or a multiple of it for a quiet scene.
   /// @param is_quiet  no position changed by kSearchMargin in the last step
   void set_max_length(bool is_quiet);
 
@@ -28,9 +28,9 @@ class StepControl {
   /// Returns the length of the next trial after one rejected by force elements [s].
   /// @param step_error  error of the elements over their tolerance, above 1 [1]
   [[nodiscard]] double shorten_for_elements(double step_error, double length);
-  /// Returns the length of the next trial after one longer than SceneOptions::longest in which
+  /// Returns the length of the next trial after one longer than SceneOptions::max_step in which
   /// positions moved too far [s].
-  [[nodiscard]] double cap_at_longest();
+  [[nodiscard]] double cap_at_max_step();
   /// Records a rejected trial that cannot be shortened.
   void record_rejection();
   /// Returns the length of the next step after an accepted one [s].

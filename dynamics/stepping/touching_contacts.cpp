@@ -52,11 +52,9 @@ void TouchingContacts::update_with_impacts(SceneState& state, std::vector<Active
   remember_lost(found);
   const bool all_known = retain_closed(found);
   // Resolve impacts if a contact approaches.
-  const bool approaches =
-      std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
-        return contact.kind != ActiveContact::Kind::kJointFriction &&
-               contact.approach < -kImpactSpeed;
-      });
+  const bool approaches = any_of(closed_, [](const ActiveContact& contact) {
+    return contact.kind != ActiveContact::Kind::kJointFriction && contact.approach < -kImpactSpeed;
+  });
   if (approaches) {
     StepOutcome outcome;
     step_.resolve_impact(state, closed_, outcome);
@@ -79,15 +77,15 @@ void TouchingContacts::settle_modes(const SceneState& state) {
   // Scale impulses to the shortest step.
   SceneState next = state;
   step_.select_active_forces(next.t);
-  const double factor = impulse_time_ > 0 ? options_.shortest / impulse_time_ : 0;
+  const double factor = impulse_time_ > 0 ? options_.min_step / impulse_time_ : 0;
   scale_impulses(closed_, factor);
   scale_impulses(lost_, factor);
   // Take the contacts and modes of that step, and discard its state.
-  step_.take_euler_substep(next, options_.shortest, closed_, options_.touch, outcome_);
+  step_.take_euler_substep(next, options_.min_step, closed_, options_.touch, outcome_);
   counts_.count_problem(outcome_);
   counts_.accept();
   closed_.swap(outcome_.active);
-  impulse_time_ = options_.shortest;
+  impulse_time_ = options_.min_step;
 }
 
 double TouchingContacts::close_gaps_and_update(double length, SceneState& state,
@@ -108,7 +106,7 @@ double TouchingContacts::close_gaps_and_update(double length, SceneState& state,
   update_with_impacts(state, found);
   for (const ActiveContact& contact : closed_)
     if (contact.kind == ActiveContact::Kind::kContact)
-      cost_.deepest = std::max(cost_.deepest, -contact.gap);
+      cost_.max_penetration = std::max(cost_.max_penetration, -contact.gap);
   return max_gap;
 }
 

@@ -25,19 +25,18 @@ StepTrials::StepTrials(ContactStep& step, const SceneOptions& options, ProblemCo
       options_(options),
       counts_(counts),
       free_(step),
-      columns_(like, options.columns) {
+      extrapolation_(like, options.columns) {
   for (StepTrial& column : table_) column.state = like;
 }
 
 void StepTrials::try_step(const Beginning& from, double length) {
   checked_end_ = false;
-  verdict_ = Verdict::kContinue;
+  extrapolation_.restart();
   counts_.clear();
   step_.select_active_forces(from.state.t);
   if (from.closed.empty() && !step_.is_stiff(from.state, length))
     return take_free_step(from, length);
   // Add columns of 1, 2, .. substeps and extrapolate them while no mode changes.
-  columns_.restart();
   bool smooth = true;
   for (int n = 1; n <= options_.columns; ++n) {
     StepTrial& column = table_[n - 1];
@@ -45,7 +44,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
     if (!take_substeps(from, length, n, column)) return;
     smooth = smooth && column.is_smooth && same_modes(column.active, table_[0].active);
     column.is_smooth = smooth;
-    if (smooth ? extrapolate_column(column) : n >= kModeChangeColumns) break;
+    if (smooth ? extrapolate_column(column, n) : n >= kModeChangeColumns) break;
   }
   StepTrial& last = result();
   if (!smooth) {
@@ -56,26 +55,25 @@ void StepTrials::try_step(const Beginning& from, double length) {
     // the slip before.
     last.error =
         std::max(last.error, 2 * max_reversed_slip(from.closed, last.active) / options_.tolerance);
-    verdict_ = Verdict::kContinue;
   }
   // Check the gaps of the extrapolated positions.
-  if (last.error <= 1 || length <= options_.shortest) check_end(from, length, last);
+  if (last.error <= 1 || length <= options_.min_step) check_end(from, length, last);
 }
 
-/// Extrapolates with a further column. @return true if the trial ends with it, accepted or
-/// rejected; it then holds the extrapolated state
-bool StepTrials::extrapolate_column(StepTrial& column) {
+/// Extrapolates with a further column, of n substeps. @return true if the trial ends with it,
+/// accepted or rejected; it then holds the extrapolated state
+bool StepTrials::extrapolate_column(StepTrial& column, int n) {
   // Estimate the error by the difference of the two highest orders.
-  columns_.add_column(column.state);
-  if (columns_.column_count() < 2) return false;
+  extrapolation_.add_column(column.state, n);
+  if (n < 2) return false;
   const double ratio = std::max(kOrderRatio, std::min(1.0, kOrderRounding / options_.tolerance));
-  column.error =
-      scaled_difference(columns_.highest_order(), columns_.lower_order(), kSpeedErrorTime) / ratio;
-  verdict_ = columns_.judge(column.error);
-  if (verdict_ == Verdict::kContinue) return false;
+  column.error = scaled_difference(extrapolation_.highest_order(), extrapolation_.lower_order(),
+                                   kSpeedErrorTime) /
+                 ratio;
+  if (!extrapolation_.judge(column.error)) return false;
   // Store the extrapolated state in the column.
-  column.order = columns_.column_count();
-  column.state = columns_.highest_order();
+  column.order = n;
+  column.state = extrapolation_.highest_order();
   step_.normalise_quaternions(column.state.q);
   return true;
 }
@@ -166,7 +164,7 @@ void StepTrials::take_free_step(const Beginning& from, double length) {
 /// Checks for contacts in the middle of a free step, which may have opened again at its end. The
 /// positions are those of the cubic through both ends with their velocities.
 void StepTrials::check_middle(const Beginning& from, double length, StepTrial& trial) {
-  if (length <= options_.shortest) return;
+  if (length <= options_.min_step) return;
   // Compute the middle of the cubic: mean of the ends plus length / 8 times the velocity
   // difference.
   middle_.t = from.state.t + 0.5 * length;
@@ -192,7 +190,7 @@ void StepTrials::check_end(const Beginning& from, double length, StepTrial& tria
   if (outcome_.min_new_gap < -options_.touch) trial.closing_time = estimate_closing_time(length, 0);
   // Reject a motion in which bodies may have passed through each other.
   const double ratio = step_.tunnelling_ratio(from.state, trial.state, trial.active);
-  if (ratio > 1 && length > options_.shortest) {
+  if (ratio > 1 && length > options_.min_step) {
     trial.error = std::max(trial.error, std::pow(ratio, trial.order));
     trial.closing_time = -1;
   }

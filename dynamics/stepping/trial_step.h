@@ -64,8 +64,6 @@ struct StepTrial {
 /// Integrator of trial steps from one state. Owns their workspace.
 class StepTrials {
  public:
-  using Verdict = Extrapolation::Verdict;
-
   /// @param step, options, counts  must outlive the object
   /// @param like  any state of the scene, for the sizes
   StepTrials(ContactStep& step, const SceneOptions& options, ProblemCounts& counts,
@@ -78,17 +76,14 @@ class StepTrials {
     double impulse_time;                       // time over which their impulses acted [s]
   };
   /// Integrates one trial; stops early at a closing gap or an overflow. Sets result() and
-  /// verdict().
+  /// extrapolation().
   /// @param length  [s]
   void try_step(const Beginning& from, double length);
 
   [[nodiscard]] StepTrial& result() { return table_[result_]; }
-  /// Returns the verdict of Extrapolation on the last column; kContinue if it gave none.
-  [[nodiscard]] Verdict verdict() const { return verdict_; }
-  /// Returns the length that Extrapolation proposes for the next step or trial [s].
-  [[nodiscard]] double next_length(double length, double longest) {
-    return columns_.next_length(length, longest, verdict_);
-  }
+  /// Returns the extrapolation of the last trial: its verdict, if it gave one, and its proposal for
+  /// the length of the next step or trial.
+  [[nodiscard]] Extrapolation& extrapolation() { return extrapolation_; }
   /// Finds the contacts at the end of the result, unless try_step() has done so.
   void find_end_contacts();
   /// Returns these contacts.
@@ -97,7 +92,7 @@ class StepTrials {
   void discard_rates() { free_.discard_first_stage(); }
 
  private:
-  [[nodiscard]] bool extrapolate_column(StepTrial& column);
+  [[nodiscard]] bool extrapolate_column(StepTrial& column, int n);
   [[nodiscard]] bool take_substeps(const Beginning& from, double length, int n, StepTrial& column);
   [[nodiscard]] double estimate_closing_time(double h, int substep) const;
   [[nodiscard]] double scaled_difference(const SceneState& a, const SceneState& b,
@@ -117,8 +112,7 @@ class StepTrials {
   SceneState middle_;                            // workspace of check_middle()
   StepOutcome outcome_;
   FreeStep free_;
-  Extrapolation columns_;
-  Verdict verdict_ = Verdict::kContinue;
+  Extrapolation extrapolation_;
 };
 
 }  // namespace thenar

@@ -54,11 +54,11 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
   if (least > margin) return least;
 
   // Ends that are beside the other hull.
-  double least_end = std::numeric_limits<double>::infinity();
+  double min_end = std::numeric_limits<double>::infinity();
   const auto add_end = [&](const SegmentParameters& end) {
     const ManifoldPoint point = ball_on_ball(a, b, end, memory);
     if (point.normal.dot(nearest.normal) < kMinEndCosine) return;
-    least_end = std::min(least_end, point.gap);
+    min_end = std::min(min_end, point.gap);
     if (point.gap <= margin) points.push_back(point);
   };
   if (a.length > 0 && b.length > 0)
@@ -68,7 +68,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
       if (s > 0 && s < 1) add_end({s, end});
     }
   // The nearest balls, unless an end is as near.
-  if (!(least_end < least + kMiddleGain)) points.push_back(nearest);
+  if (!(min_end < least + kMiddleGain)) points.push_back(nearest);
   return least;
 }
 
@@ -144,16 +144,16 @@ double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
 
   // The ends of the part of the axis above the same face.
   const AxisRange range = over_same_face(a, part_b, t);
-  double least_end = std::numeric_limits<double>::infinity();
+  double min_end = std::numeric_limits<double>::infinity();
   if (range.to > range.from)
     for (const int end : {kEndLower, kEndUpper}) {
       const double at = end == kEndLower ? range.from : range.to;
       const ManifoldPoint point = ball_contact(a, b, at, end);
       if (point.normal.dot(nearest.normal) < kMinEndCosine) continue;
-      least_end = std::min(least_end, point.gap);
+      min_end = std::min(min_end, point.gap);
       if (point.gap <= margin) points.push_back(point);
     }
-  if (!(least_end < nearest.gap + kMiddleGain)) points.push_back(nearest);
+  if (!(min_end < nearest.gap + kMiddleGain)) points.push_back(nearest);
   return nearest.gap;
 }
 

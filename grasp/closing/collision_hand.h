@@ -25,7 +25,7 @@ struct SurfacePair {
 
 /// Surfaces of a hand as collision trees; constant after construction. The hand must outlive it.
 struct CollisionHand {
-  const Hand* hand;
+  const Hand* hand = nullptr;
   std::vector<CollisionTree> trees;  // one for each surface, hand frame, reference posture
   MovedBy moved_by;  // whether each coordinate moves a surface (surfaces, coordinates)
   std::vector<SurfacePair> self_pairs;  // checked pairs: all but neighbours on one limb

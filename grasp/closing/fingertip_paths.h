@@ -22,7 +22,7 @@ namespace thenar {
 /// sampled at equal times; hand frame.
 struct FingertipPaths {
   std::vector<Eigen::Matrix3Xd> tips;  // positions at each time, first the start [m] (3, tips)
-  Eigen::Vector3d axis;                // closing_axis(), unit (3)
+  Eigen::Vector3d axis{0, 0, 0};       // closing_axis(), unit (3)
 };
 /// Computes the paths of the tips. @param q  initial posture (coordinates)
 [[nodiscard]] FingertipPaths fingertip_paths(const Hand& hand, const Eigen::VectorXd& q);

@@ -12,7 +12,7 @@ std::vector<Contact> contacts_without_hand(const std::vector<HandContact>& conta
   return transformed(contacts, [](const HandContact& each) { return each.contact; });
 }
 
-Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
+Contact transform_contact(const Pose<double>& X_AB, const Contact& contact_B) {
   Contact contact = contact_B;
   contact.p = X_AB * contact_B.p;
   contact.n = X_AB.R * contact_B.n;

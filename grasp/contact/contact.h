@@ -31,7 +31,7 @@ struct HandContact {
 
 /// Returns the contact in frame A, or moved by X_AB. @param X_AB  pose of the contact's frame B in
 /// A
-[[nodiscard]] Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B);
+[[nodiscard]] Contact transform_contact(const Pose<double>& X_AB, const Contact& contact_B);
 
 /// Returns the region of each contact: 0, 1, .. in the order of their first points. Points with one
 /// `patch` number >= 0 share a region; so do points without a number that have the same position

@@ -27,9 +27,9 @@ double normal(std::mt19937& rng) {
 
 /// Random disturbance of all points of a region.
 struct Disturbance {
-  double friction_factor;        // factor of friction and torsion [1]
-  Eigen::Vector3d displacement;  // [m] (3)
-  Eigen::Matrix3d R;             // rotation of normals (3, 3)
+  double friction_factor = 1;                       // factor of friction and torsion [1]
+  Eigen::Vector3d displacement{0, 0, 0};            // [m] (3)
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // rotation of normals (3, 3)
 };
 
 /// Draws a disturbance. @param n  mean normal of the region, unit (3)

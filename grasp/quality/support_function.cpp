@@ -134,7 +134,7 @@ namespace {
 constexpr int kMaxPolishSteps = 30;  // maximum number of steps of a polish
 constexpr int kMaxColumns = 20;      // maximum number of columns of a polish
 constexpr double kLastStep = 1e-9;   // Length of a last step: the next would be its square [rad]
-constexpr double kMostStep = 0.2;    // Longest step [rad]
+constexpr double kMaxSupportStep = 0.2;  // Longest step [rad]
 constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]
 constexpr double kKinkShare = 0.05;  // |A'u| below this share of |A| is held at 0 [1]
 // Minimum |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
@@ -378,8 +378,8 @@ class Polish {
     }
     // Limited step on the sphere.
     const double length = d.head<6>().norm();
-    u_ = (u_ + std::min(1.0, kMostStep / length) * d.head<6>()).normalized();
-    return std::min(length, kMostStep);
+    u_ = (u_ + std::min(1.0, kMaxSupportStep / length) * d.head<6>()).normalized();
+    return std::min(length, kMaxSupportStep);
   }
 
   /// Includes pieces that went beyond their bounds. @returns whether there are any

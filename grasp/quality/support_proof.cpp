@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Minimum eigenvalue of F for a set of size 1 [1]
-constexpr double kLeastEigenvalue = 1e-12;
+constexpr double kMinEigenvalue = 1e-12;
 // Rounding of an eigenvalue, over the size of the matrix [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
@@ -153,7 +153,7 @@ class Problem {
     all.push_back(sum);
     all.push_back(some);
     y(least) = smallest_eigenvalue(form(y)) - 0.5;
-    return maximise_component(all, std::move(y), least, kLeastEigenvalue);
+    return maximise_component(all, std::move(y), least, kMinEigenvalue);
   }
 
   /// Returns the smallest eigenvalue of F and of the constraints of its weights, less their

@@ -61,7 +61,7 @@ void add_contacts(const WorldState& state, const std::vector<HandObjectContacts>
     first.push_back(first.back() + static_cast<int>(hand.built->bodies.size()));
   for (const HandObjectContacts& touches : all)
     for (const HandContact& found : touches.contacts) {
-      const Contact seen = seen_from(state.bodies[touches.body].X_WB, found.contact);
+      const Contact seen = transform_contact(state.bodies[touches.body].X_WB, found.contact);
       const Eigen::Vector3d unknown_force(0, 0, 0);
       instant.contacts.push_back({first[touches.hand] + found.surface,
                                   first.back() + static_cast<int>(touches.body), seen.p, -seen.n,

@@ -55,7 +55,8 @@ PlacedHand placed_by_name(const LiveWorld& live, const std::string& name) {
   placed.name = current_hand_name(name);
   // The built-in human hand keeps its name, and can be added once in each version.
   if (source.human && source.file.empty()) {
-    if (placed.name == "human") placed.name = "human:" + source.version;
+    if (placed.name == "human")
+      placed.name = "human:" + name_in(kHumanVersionNames, *source.version);
     require(
         placed_index(state, placed.name) == state.placed.size(),
         "the world has the hand '{}' already; another version of it, or another subject's hand, "

@@ -18,7 +18,7 @@ std::unique_ptr<MovingPad> BedPad::clone() const {
   return std::make_unique<BedPad>(bed_, object_, kept_.X_PO);
 }
 
-PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
+PadContact BedPad::try_step(const Pose<double>& X_PO, double seconds) {
   // Step the bed from the kept state.
   moved_ = kept_;
   moved_.X_PO = X_PO;
@@ -40,7 +40,7 @@ PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
   return out;
 }
 
-void BedPad::keep() { kept_ = moved_; }
+void BedPad::accept_step() { kept_ = moved_; }
 
 double BedPad::energy() const {
   if (kept_.bed.elastic.size() == 0) return 0;

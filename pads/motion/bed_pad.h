@@ -17,8 +17,8 @@ class BedPad final : public MovingPad {
 
   [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
   [[nodiscard]] std::string rung() const override { return "foundation"; }
-  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
-  void keep() override;
+  [[nodiscard]] PadContact try_step(const Pose<double>& X_PO, double seconds) override;
+  void accept_step() override;
   /// Returns the energy that the springs along the normal give back when the object is drawn
   /// straight out, plus the energy in the springs of friction [J].
   [[nodiscard]] double energy() const override;

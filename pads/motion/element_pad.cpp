@@ -52,7 +52,7 @@ void ElementPad::undo_trial() {
   has_trial_ = false;
 }
 
-PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
+PadContact ElementPad::try_step(const Pose<double>& X_PO, double seconds) {
   undo_trial();
   moved_ = {X_PO, kept_.at_rest, kept_.free_time + seconds};
   PadContact out;
@@ -124,7 +124,7 @@ PadContact ElementPad::contact_of(const PadPressResult& result) const {
   return out;
 }
 
-void ElementPad::keep() {
+void ElementPad::accept_step() {
   kept_ = moved_;
   has_trial_ = false;
   if (!kept_.at_rest && kept_.free_time > memory_time_) {

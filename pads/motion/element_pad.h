@@ -24,8 +24,8 @@ class ElementPad final : public MovingPad {
 
   [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
   [[nodiscard]] std::string rung() const override { return "elements"; }
-  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
-  void keep() override;
+  [[nodiscard]] PadContact try_step(const Pose<double>& X_PO, double seconds) override;
+  void accept_step() override;
   /// Computes the stiffness from the tangent of the elements, with the present sticking and
   /// slipping nodes.
   [[nodiscard]] Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward) override;
@@ -45,7 +45,7 @@ class ElementPad final : public MovingPad {
   };
   /// Resets the elements to rest on the coarsest mesh.
   void reset_elements(const Pose<double>& X_PO);
-  /// Undoes the changes of the elements by the last move.
+  /// Undoes the changes of the elements by the last trial step.
   void undo_trial();
   /// Returns the object's pose, moved out of a pad at rest along its normal, so that it enters
   /// straight.
@@ -59,7 +59,7 @@ class ElementPad final : public MovingPad {
   double memory_time_ = 0;  // time after which the history is negligible [s]
   std::unique_ptr<PadPress> press_;
   State kept_, moved_;
-  bool has_trial_ = false;  // the elements are at the last move, which is not kept yet
+  bool has_trial_ = false;  // the elements are at a trial step that is not accepted yet
 };
 
 }  // namespace thenar

@@ -83,7 +83,7 @@ std::unique_ptr<MovingPad> LawPad::clone() const {
   return std::make_unique<LawPad>(name_, shape_, law_, object_, kept_.X_PO);
 }
 
-PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
+PadContact LawPad::try_step(const Pose<double>& X_PO, double seconds) {
   moved_ = kept_;
   moved_.X_PO = X_PO;
   PadContact out;
@@ -197,6 +197,6 @@ LawPad::Friction LawPad::update_friction(const LawContact& contact, const Vector
   return {trial, sticks};
 }
 
-void LawPad::keep() { kept_ = moved_; }
+void LawPad::accept_step() { kept_ = moved_; }
 
 }  // namespace thenar

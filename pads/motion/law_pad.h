@@ -30,8 +30,8 @@ class LawPad final : public MovingPad {
 
   [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
   [[nodiscard]] std::string rung() const override { return name_; }
-  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
-  void keep() override;
+  [[nodiscard]] PadContact try_step(const Pose<double>& X_PO, double seconds) override;
+  void accept_step() override;
   /// Returns the energy of the normal force, a power of depth, and of the springs of friction [J].
   [[nodiscard]] double energy() const override { return kept_.energy; }
   [[nodiscard]] double reach() const override { return reach_; }

@@ -16,20 +16,21 @@ constexpr double kTurnArm = 10e-3;
 Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   // Compute the wrench at the kept pose.
   const Pose<double> from = object_pose();
-  const PadContact at = move(from, 0);
-  const Eigen::Matrix<double, 6, 1> before = six_of(at.push);
+  const PadContact at = try_step(from, 0);
+  const Eigen::Matrix<double, 6, 1> before = wrench_vector(at.push);
   Matrix6 out = Matrix6::Zero();
   if (at.status != Status::kSolved) return out;
   // Take a difference onward in each direction, or backward where the step fails.
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     motion[k] = std::copysign(k < 3 ? kDifferenceWay / kTurnArm : kDifferenceWay, onward[k]);
-    PadContact after = move(moved_by(from, motion), 0);
+    PadContact after = try_step(moved_by(from, motion), 0);
     if (after.status != Status::kSolved) {
       motion = -motion;
-      after = move(moved_by(from, motion), 0);
+      after = try_step(moved_by(from, motion), 0);
     }
-    if (after.status == Status::kSolved) out.col(k) = (six_of(after.push) - before) / motion[k];
+    if (after.status == Status::kSolved)
+      out.col(k) = (wrench_vector(after.push) - before) / motion[k];
   }
   return out;
 }

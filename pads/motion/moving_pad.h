@@ -43,15 +43,15 @@ class MovingPad {
   /// Computes a trial step from the kept state to a pose of the object in the pad's frame. The kept
   /// state does not change.
   /// @param seconds  duration of the step; 0: instant [s]
-  [[nodiscard]] virtual PadContact move(const Pose<double>& X_PO, double seconds) = 0;
-  /// Accepts the last move() as the kept state. Before any move, or after one that failed, the kept
-  /// state does not change.
-  virtual void keep() = 0;
+  [[nodiscard]] virtual PadContact try_step(const Pose<double>& X_PO, double seconds) = 0;
+  /// Accepts the last try_step() as the kept state. Before any step, or after one that failed, the
+  /// kept state does not change.
+  virtual void accept_step() = 0;
 
   /// Returns the derivative of the object's wrench with respect to an instantaneous motion from the
   /// kept pose: moment and rotation first, about the pad's origin (6, 6). Sticking parts resist,
-  /// slipping parts do not. The default takes differences of move() over a micrometre, and over the
-  /// angle that moves a point at 10 mm by the same distance.
+  /// slipping parts do not. The default takes differences of try_step() over a micrometre, and over
+  /// the angle that moves a point at 10 mm by the same distance.
   /// @param onward  signs of the differences, chosen along the object's motion, because slipping
   ///                parts would stick on reversal (6)
   [[nodiscard]] virtual Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward);
@@ -65,7 +65,7 @@ class MovingPad {
   /// Returns the relaxation terms of the contact force, for predictions.
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;
 
-  /// Returns the pose of the object at the last keep().
+  /// Returns the pose of the object at the last accept_step().
   [[nodiscard]] virtual const Pose<double>& object_pose() const = 0;
 };
 
@@ -82,7 +82,7 @@ class MovingPad {
 [[nodiscard]] PadContact behind_object();
 
 /// Returns a wrench as six numbers, the moment first [N m], [N] (6).
-[[nodiscard]] inline Eigen::Matrix<double, 6, 1> six_of(const Wrench& w) {
+[[nodiscard]] inline Eigen::Matrix<double, 6, 1> wrench_vector(const Wrench& w) {
   Eigen::Matrix<double, 6, 1> out;
   out << w.moment, w.force;
   return out;

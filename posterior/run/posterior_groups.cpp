@@ -18,7 +18,7 @@ constexpr long kPredictedDraws = 1000;  // maximum number of replicated draws of
 constexpr long kAllPredicted = 20000;
 
 /// Returns the largest number of components of a force that any experiment fits.
-int most_components(const FitProblem& problem) {
+int largest_component_count(const FitProblem& problem) {
   int max_components = 0;
   for (const ExperimentPlan& plan : problem.plans())
     max_components = std::max(max_components, plan.measured);
@@ -27,13 +27,13 @@ int most_components(const FitProblem& problem) {
 
 std::vector<std::string> component_names(const FitProblem& problem) {
   const std::vector<std::string> names{"first", "second", "third"};
-  return {names.begin(), names.begin() + most_components(problem)};
+  return {names.begin(), names.begin() + largest_component_count(problem)};
 }
 
 /// Returns the components that any experiment fits, NaN where the trial's own experiment does not.
 /// @param all  three numbers of every trial of every experiment in turn (3 trials, columns)
 Eigen::MatrixXd fitted_components(const FitProblem& problem, const Eigen::MatrixXd& all) {
-  const int components = most_components(problem);
+  const int components = largest_component_count(problem);
   Eigen::MatrixXd kept(all.rows() / 3 * components, all.cols());
   Eigen::Index from = 0, to = 0;
   for (const ExperimentPlan& plan : problem.plans())

@@ -42,14 +42,14 @@ namespace thenar {
 
 /// Returns a table with a row for each posture: the joints that vary, then the cells of `line`;
 /// dashes where there is no result. @param line  returns the cells of one point, under `header`
-template <typename Answer, typename Line>
-[[nodiscard]] Table posture_table(const Answer& answer, const std::vector<std::string>& header,
+template <typename Result, typename Line>
+[[nodiscard]] Table posture_table(const Result& result, const std::vector<std::string>& header,
                                   const Line& line) {
-  const SweepAxes axes = axes_of(answer);
+  const SweepAxes axes = axes_of(result);
   const std::vector<std::string> none(header.size(), "-");
   Table table{row({header_of(axes), header})};
-  for (std::size_t i = 0; i < answer.points.size(); ++i) {
-    const auto& point = answer.points[i];
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    const auto& point = result.points[i];
     table.rows.push_back(row({cells_of(axes, i), point.message.empty() ? line(point) : none}));
   }
   return table;

@@ -122,7 +122,7 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
   };
   fields.add(words.one, words.si, in_axes(largest.force));
   fields.add("component", words.si, largest.component);
-  if (answer.request.most_other > 0) fields.add(other.one, other.si, in_axes(point.other));
+  if (answer.request.max_other > 0) fields.add(other.one, other.si, in_axes(point.other));
   // The certificate bounds the error of the optimum: duality gap, cone and balance.
   Fields certificate{{"gap", words.si, largest.check.gap},
                      {"outside_cone", words.si, largest.check.outside},
@@ -171,12 +171,12 @@ void add_point(const FeasibleForceResult& answer, const FeasibleForcePoint& poin
     return;
   }
   if (answer.map.empty()) fields.add("condition", point.condition);
-  if (answer.request.load == TipLoad::kMoment || answer.request.most_other > 0) {
+  if (answer.request.load == TipLoad::kMoment || answer.request.max_other > 0) {
     const LoadWords other = words_of(other_load(answer.request.load));
-    if (answer.request.most_other == 0 || std::isinf(answer.request.most_other))
-      fields.add(other.many, answer.request.most_other == 0 ? "zero" : "free");
+    if (answer.request.max_other == 0 || std::isinf(answer.request.max_other))
+      fields.add(other.many, answer.request.max_other == 0 ? "zero" : "free");
     else
-      fields.add("most_" + other.many, other.si, answer.request.most_other);
+      fields.add("most_" + other.many, other.si, answer.request.max_other);
   }
   if (point.largest) add_largest(answer, point, fields);
   if (point.loss) fields.add("paralysis", loss_fields(*point.loss, answer.request.load));
@@ -268,10 +268,9 @@ std::string largest_text(const FeasibleForceResult& answer, const FeasibleForceP
   std::string text = fmt::format("Largest {}: {} {} along the direction\nas {}\n", words.one,
                                  shown(largest.component, 3 + words.more_decimals), words.unit,
                                  in_axes(largest.force, words));
-  if (answer.request.most_other > 0)
-    text +=
-        fmt::format("with {}: {}\n", other_words(answer.request.load, answer.request.most_other),
-                    in_axes(point.other, other));
+  if (answer.request.max_other > 0)
+    text += fmt::format("with {}: {}\n", other_words(answer.request.load, answer.request.max_other),
+                        in_axes(point.other, other));
   // Limits, change with the posture, and doubts.
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
@@ -285,13 +284,13 @@ std::string largest_text(const FeasibleForceResult& answer, const FeasibleForceP
 
 /// ", moments beside it free"; "" if there are none.
 std::string beside(const FeasibleForceResult& answer) {
-  const std::string words = other_words(answer.request.load, answer.request.most_other);
+  const std::string words = other_words(answer.request.load, answer.request.max_other);
   return words.empty() ? "" : ", " + words;
 }
 
 /// "pure force", or "force" where moments go with it.
 std::string pure(const FeasibleForceResult& answer) {
-  return (answer.request.most_other > 0 ? "" : "pure ") + words_of(answer.request.load).one;
+  return (answer.request.max_other > 0 ? "" : "pure ") + words_of(answer.request.load).one;
 }
 
 /// "N^3", "(N m)^3"
@@ -344,7 +343,7 @@ std::vector<std::string> largest_cells(const FeasibleForceResult& answer,
                                        const FeasibleForcePoint& point, int decimals,
                                        const std::string& none) {
   const MaxTipForce& largest = *point.largest;
-  const bool other = answer.request.most_other > 0;
+  const bool other = answer.request.max_other > 0;
   if (makes_none(point))
     return row({{status_name(point)}, std::vector<std::string>(other ? 7 : 4, none)});
   const auto seen = [&](const Eigen::Vector3d& load, TipLoad of) {
@@ -380,7 +379,7 @@ std::vector<std::string> largest_header(const FeasibleForceResult& answer, const
   const std::vector<std::string> of_other = with_ending(axes.names, other.suffix);
   return row({{"status", "component" + words.suffix},
               with_ending(axes.names, words.suffix),
-              answer.request.most_other > 0 ? of_other : std::vector<std::string>{}});
+              answer.request.max_other > 0 ? of_other : std::vector<std::string>{}});
 }
 
 std::vector<std::string> whole_header(const FeasibleForceResult& answer, const ForceAxes& axes) {
@@ -475,11 +474,11 @@ TipLoad other_load(TipLoad load) {
   return load == TipLoad::kForce ? TipLoad::kMoment : TipLoad::kForce;
 }
 
-std::string other_words(TipLoad load, double most_other) {
+std::string other_words(TipLoad load, double max_other) {
   const LoadWords other = words_of(other_load(load));
-  if (most_other == 0) return "";
-  if (std::isinf(most_other)) return other.many + " beside it free";
-  return fmt::format("{} of at most {:.4g} {} {} each axis beside it", other.many, most_other,
+  if (max_other == 0) return "";
+  if (std::isinf(max_other)) return other.many + " beside it free";
+  return fmt::format("{} of at most {:.4g} {} {} each axis beside it", other.many, max_other,
                      other.unit, load == TipLoad::kForce ? "about" : "along");
 }
 

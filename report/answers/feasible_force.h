@@ -29,7 +29,7 @@ struct LoadWords {
 
 /// Returns the bound on the other load in words: "moments beside it free", "of at most 0.1 N m
 /// each"; "" if it is zero.
-[[nodiscard]] std::string other_words(TipLoad load, double most_other);
+[[nodiscard]] std::string other_words(TipLoad load, double max_other);
 
 /// Returns true if the posture has a largest force or moment above rounding errors; false if it is
 /// unbounded.

@@ -164,7 +164,7 @@ Fields start_fields(const GraspResult& result) {
     outcomes[name] = nth(result.outcomes, outcome);
   return {{"count", result.started()},
           {"seed", result.request.seed},
-          {"best", result.best},
+          {"best", result.best.value_or(-1)},
           {"outcomes", outcomes},
           {"force_closures", result.closures}};
 }

@@ -27,7 +27,7 @@ std::string limits_words(const std::vector<PassedLimit>& limits) {
 std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
   return fields_of_each(limits, [](const PassedLimit& limit) {
     return Fields{{"joint", limit.joint},
-                  {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}};
+                  {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.excess}};
   });
 }
 
@@ -42,7 +42,7 @@ Table account_table(const SceneResult& scene) {
   } else {
     add("energy error", "not known: contacts are springs, and losses are what the balance leaves");
   }
-  add("deepest overlap", fmt::format("{:.2g} mm", scene.run.cost.deepest / kMm));
+  add("deepest overlap", fmt::format("{:.2g} mm", scene.run.cost.max_penetration / kMm));
   add("joint limits passed", limits_words(limits_passed(scene)));
   if (const double restitution = restitution_ignored(scene); restitution > 0)
     add("restitution ignored",

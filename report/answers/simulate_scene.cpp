@@ -144,7 +144,7 @@ OrderedJson passive_moments(const SceneResult& scene) {
     const auto* stops = dynamic_cast<const JointStops*>(element.get());
     if (stops == nullptr) continue;
     for (std::size_t i = 0; i < stops->ranges().size(); ++i) {
-      const int place = stops->places().q[i];
+      const int place = stops->indices().q[i];
       const int c = place_in(layout.coordinate_q, place);
       // Add the linear part, which the mechanism has as springs.
       double moment = passive_moment(stops->ranges()[i], q[place]);
@@ -233,7 +233,7 @@ Fields outcome_fields(const SceneResult& scene) {
           {"reason", reason.empty() ? OrderedJson() : OrderedJson(reason)},
           {"simulated", units::kSecond, simulated_seconds(scene)},
           {"largest_slip", units::kMetre, largest_slip(scene)},
-          {"largest_penetration", units::kMetre, cost.deepest},
+          {"largest_penetration", units::kMetre, cost.max_penetration},
           {"energy_start", units::kJoule, energy_json(scene.run.samples.front().energy)},
           {"energy_end", units::kJoule, energy_json(scene.run.samples.back().energy)},
           {"work", units::kJoule, scene.measures.work},
@@ -250,10 +250,10 @@ Fields outcome_fields(const SceneResult& scene) {
           {"substeps", cost.substeps},
           {"impacts", cost.impacts},
           {"unsolved", cost.unsolved},
-          {"leaps", cost.leaps},
-          {"coarse_steps", cost.coarse},
+          {"leaps", cost.tunnelling_steps},
+          {"coarse_steps", cost.inaccurate_steps},
           {"worst_residual", has_contact_problems(scene) ? cost.worst_residual : kNaN},
-          {"asleep", units::kSecond, cost.asleep},
+          {"asleep", units::kSecond, cost.rest_time},
           {"cpu_s_per_simulated_s", units::kMeasuredSeconds, cpu_per_second(scene)}};
 }
 
@@ -372,7 +372,7 @@ Table table_of(const SceneSweepResult& sweep) {
     table.add_parts(
         {transformed(scene.varied, value),
          {name_of(run.status), shown(simulated_seconds(scene)), shown(largest_slip(scene) / kMm),
-          shown(run.cost.deepest / kMm), shown(1e3 * run.samples.back().energy.total()),
+          shown(run.cost.max_penetration / kMm), shown(1e3 * run.samples.back().energy.total()),
           shown(1e3 * measures.dissipated),
           measures.worst ? shown(100 * measures.worst->relative_error()) : "n/a",
           std::to_string(limits_passed(scene).size()), residual_words(scene),

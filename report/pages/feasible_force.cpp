@@ -113,7 +113,7 @@ std::string question_words(const FeasibleForceResult& answer) {
   // State the question with its axes, its tolerance and the loads of the other kind.
   const LoadWords load = words_of(answer.request.load);
   const std::string axes = answer.points.empty() ? "world" : answer.points.front().axes.name;
-  const std::string other = other_words(answer.request.load, answer.request.most_other);
+  const std::string other = other_words(answer.request.load, answer.request.max_other);
   const std::string beside = other.empty() ? "" : ", " + other;
   if (!answer.request.direction)
     return fmt::format(

@@ -102,8 +102,8 @@ Eigen::Matrix3Xd corners_of(const GraspBody& object) {
 /// World frame.
 std::vector<Contact> seen_in_world(const std::vector<HandContact>& contacts,
                                    const Pose<double>& X_WB) {
-  return transformed(contacts,
-                     [&](const HandContact& each) { return seen_from(X_WB, each.contact); });
+  return transformed(
+      contacts, [&](const HandContact& each) { return transform_contact(X_WB, each.contact); });
 }
 
 /// Share of the contacts that is seen from there [1].

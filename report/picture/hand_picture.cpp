@@ -103,7 +103,7 @@ Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>
   const double length = std::min(kArrowShare * reach, kMaxArrowLength);
   Json points = Json::array(), normals = Json::array(), cones = Json::array();
   for (const HandContact& found : contacts) {
-    const Contact contact = seen_from(X_WO, found.contact);
+    const Contact contact = transform_contact(X_WO, found.contact);
     points.push_back(in_mm(contact.p));
     normals.push_back({{"kind", "arrow"},
                        {"from", in_mm(contact.p)},

@@ -19,7 +19,7 @@ OrderedJson contacts(Session& session, const Json& params, const Progress& /*pro
   std::vector<Fields> list;
   for (std::size_t i = 0; i < found.contacts.size(); ++i) {
     const HandContact& each = found.contacts[i];
-    const Contact seen = seen_from(found.X_WO, each.contact);
+    const Contact seen = transform_contact(found.X_WO, each.contact);
     list.push_back({{"link", found.links[i]},
                     {"point", units::kMetreBare, seen.p},
                     {"normal", units::kOne, seen.n},

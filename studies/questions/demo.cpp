@@ -233,12 +233,12 @@ std::vector<ParallelTask> other_tasks(const DemoRequest& request, DemoResult& de
     ThumbStudyRequest thumb;
     thumb.data = request.data;
     thumb.quick = true;
-    demo.thumb_study = ask_thumb_study(thumb, progress);
+    demo.thumb_study = compute_thumb_study(thumb, progress);
   };
   const auto recover = [&](const Progress& progress) {
     ThumbRecoveryRequest recovery;
     recovery.data = request.data;
-    demo.thumb_recovery = ask_thumb_recovery(recovery, progress);
+    demo.thumb_recovery = compute_thumb_recovery(recovery, progress);
   };
   return {
       {kThumbStudyTime, study},

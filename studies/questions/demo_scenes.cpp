@@ -33,7 +33,7 @@ std::vector<WorkPoint> roll_ball(const std::string& data) {
   std::vector<Pose<double>> X;
   step.compute_poses(step.initial_state(), X);
   const Eigen::Vector3d p = X[ball].p;
-  const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.seconds, p.norm());
+  const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.duration, p.norm());
   const Eigen::Vector3d end = p.norm() * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
   // Settings span the range from coarse to as accurate as doubles allow.
   WorkSettings settings;

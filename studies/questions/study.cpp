@@ -27,7 +27,7 @@ ThumbCalibrationSettings calibration_of(const ThumbStudyRequest& request,
 
 }  // namespace
 
-ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progress& progress) {
+ThumbStudyResult compute_thumb_study(const ThumbStudyRequest& request, const Progress& progress) {
   const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", request.data));
   ThumbStudyResult result{
       study_thumb(inputs, settings_of(request, progress)), {}, request.seed, {}};
@@ -37,7 +37,7 @@ ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progres
   return result;
 }
 
-ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progress& progress) {
+ThumbTypesResult compute_thumb_types(const ThumbTypesRequest& request, const Progress& progress) {
   ThumbTypesSettings settings;
   settings.draws = request.draws;
   settings.seed = request.seed;
@@ -46,8 +46,8 @@ ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progres
           request.seed};
 }
 
-ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
-                                       const Progress& progress) {
+ThumbRecoveryResult compute_thumb_recovery(const ThumbRecoveryRequest& request,
+                                           const Progress& progress) {
   // Times of the two parts, which share the progress [s]
   constexpr double kRecoveryTime = 9, kLessonsTime = 11;
   ProgressParts parts(progress, kRecoveryTime + kLessonsTime);

@@ -35,8 +35,8 @@ struct ThumbStudyResult {
 /// Fits orthogonal and skewed thumbs to forces of a skewed one. The same request gives bitwise
 /// equal results.
 /// @throws InputError if no data folder has fits/.
-[[nodiscard]] ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request,
-                                               const Progress& progress = {});
+[[nodiscard]] ThumbStudyResult compute_thumb_study(const ThumbStudyRequest& request,
+                                                   const Progress& progress = {});
 
 struct ThumbTypesRequest {
   std::string data;   // folder with studies/ and subjects/; empty: the usual ones
@@ -52,8 +52,8 @@ struct ThumbTypesResult {
 /// Computes the types of thumbs that result from the spread of joint axes, and the number of each.
 /// The same request gives bitwise equal results. @throws InputError if no data folder has studies/,
 /// or draws is not positive.
-[[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
-                                               const Progress& progress = {});
+[[nodiscard]] ThumbTypesResult compute_thumb_types(const ThumbTypesRequest& request,
+                                                   const Progress& progress = {});
 
 struct ThumbRecoveryRequest {
   std::string data;   // folder with fits/, studies/, experiments/, subjects/; empty: the usual
@@ -73,8 +73,8 @@ struct ThumbRecoveryResult {
 /// adds published measurements of thumbs. Takes some 20 s. The same request gives bitwise equal
 /// results.
 /// @throws InputError if no data folder has fits/, DataError if a file is missing or wrong.
-[[nodiscard]] ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
-                                                     const Progress& progress = {});
+[[nodiscard]] ThumbRecoveryResult compute_thumb_recovery(const ThumbRecoveryRequest& request,
+                                                         const Progress& progress = {});
 
 /// Returns the number of fits whose chains have not converged.
 [[nodiscard]] std::size_t unconverged_fits(const ThumbStudy& study);

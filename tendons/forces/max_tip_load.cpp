@@ -105,9 +105,9 @@ void add_pairs(const LoadBalance& balance, double max_load, TipStatics& statics)
 LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& options) {
   const bool moment = options.load == TipLoad::kMoment;
   internal::require_statics(statics);
-  require(options.most_other >= 0, "the other load of a tip is at least 0, got {}",
-          options.most_other);
-  require(has_rotation(statics) || (!moment && options.most_other == 0),
+  require(options.max_other >= 0, "the other load of a tip is at least 0, got {}",
+          options.max_other);
+  require(has_rotation(statics) || (!moment && options.max_other == 0),
           "a moment needs the rotation Jacobian W of the tip");
   LoadBalance balance{statics, moment ? kMomentArm : 1, moment ? statics.J : statics.W,
                       MatrixXd::Identity(statics.J.cols(), statics.J.cols()),
@@ -116,12 +116,12 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
   asked.W = Eigen::Matrix3Xd(3, 0);
   add_stops(options.stops, asked);
   if (moment) asked.J = kMomentArm * statics.W;
-  if (std::isinf(options.most_other)) {
+  if (std::isinf(options.max_other)) {
     balance.N = null_space(balance.B);
     eliminate(balance.N, asked);
-  } else if (options.most_other > 0) {
+  } else if (options.max_other > 0) {
     balance.pair_axes = options.axes;
-    add_pairs(balance, options.most_other, asked);
+    add_pairs(balance, options.max_other, asked);
   }
   return balance;
 }

@@ -29,9 +29,9 @@ struct JointStop {
 /// a force, forces beside a moment.
 struct TipLoadOptions {
   TipLoad load = TipLoad::kForce;
-  double tolerance = 0;   // half angle of the cone about the direction, in [0, pi/2) [rad]
-  double most_other = 0;  // bound of each component of the other load: 0 is a pinned tip (force) or
-                          // a pure moment, infinity a rigid hold [N m] or [N]
+  double tolerance = 0;  // half angle of the cone about the direction, in [0, pi/2) [rad]
+  double max_other = 0;  // bound of each component of the other load: 0 is a pinned tip (force) or
+                         // a pure moment, infinity a rigid hold [N m] or [N]
   /// Columns: axes of those components, world frame (3, 3).
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   bool prices = false;             // true: also compute the prices of F0
@@ -51,7 +51,7 @@ struct MaxTipLoad {
 /// Computes the largest load of a tip along a direction, every joint in balance:
 ///
 ///   maximise d' a  subject to  A' a + B' b = R' t + s + tau_0,  0 <= t <= F0,
-///                              angle(a, d) <= tolerance,  |axes' b| <= most_other,
+///                              angle(a, d) <= tolerance,  |axes' b| <= max_other,
 ///
 /// with (A, B) = (J, W) and (a, b) = (f, m) for a force, and the other way round for a moment; s
 /// are the torques of `stops`, unilateral constraints that act as additional tendons of one joint
@@ -61,9 +61,9 @@ struct MaxTipLoad {
 /// axes. What remains is the program of max_tip_force(), whose certificate and prices apply.
 /// Moments are scaled to newtons at 10 mm there, so that its thresholds have the same meaning.
 ///
-/// @param statics    one posture; W is needed unless the load is a force and most_other is zero
+/// @param statics    one posture; W is needed unless the load is a force and max_other is zero
 /// @param direction  wanted direction of the load, any length but zero   3   [1]
-/// @throws InputError as max_tip_force(), if W is needed and absent, if most_other is negative or
+/// @throws InputError as max_tip_force(), if W is needed and absent, if max_other is negative or
 /// not a number, or if a stop has no such joint or no torque.
 /// Source: [ValeroCuevas1998] for the wrench of a fingertip.
 [[nodiscard]] MaxTipLoad max_tip_load(const TipStatics& statics, const Eigen::Vector3d& direction,

@@ -9,12 +9,13 @@ namespace thenar::internal {
 
 /// Sphere or cylinder that a band bends over, world frame.
 struct RoundBone {
-  bool sphere = false;     // false: cylinder
-  double radius = 0;       // [m]
-  Eigen::Vector3d center;  // centre of the sphere, or a point of the cylinder's axis [m] (3)
-  Eigen::Vector3d e1, e2,
-      d;  // cylinder: directions towards the side, across, and along the axis; unit (3)
-  Eigen::Vector3d side;  // sphere: direction that decides between ways of equal length (3)
+  bool sphere = false;  // false: cylinder
+  double radius = 0;    // [m]
+  // Centre of the sphere, or a point of the cylinder's axis [m] (3).
+  Eigen::Vector3d center{0, 0, 0};
+  // Cylinder: directions towards the side, across, and along the axis; unit (3).
+  Eigen::Vector3d e1{0, 0, 0}, e2{0, 0, 0}, d{0, 0, 0};
+  Eigen::Vector3d side{0, 0, 0};  // sphere: direction that decides between ways of equal length (3)
 };
 
 /// Poses a sphere or cylinder. @param side_S  NetBand::side (3)

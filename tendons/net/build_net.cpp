@@ -111,7 +111,7 @@ class NetBuilder {
     band.side = side_on(band.over, plan.side);
     band.EA = plan.EA;
     band.toe = plan.toe;
-    band.max_strain = plan.most_strain;
+    band.max_strain = plan.max_strain;
     built_.net.bands.push_back(band);
   }
 

@@ -17,7 +17,7 @@ CompareRequest jaws_on_ball() {
   CompareRequest request;
   request.hands = {"parallel_jaw"};
   request.objects = {"sphere_70"};
-  request.tasks = {"force-closure"};
+  request.tasks = {GraspTask::kForceClosure};
   request.approaches = 2;
   request.best = 0;
   request.data = THENAR_DATA_DIR;

@@ -3,6 +3,7 @@
 #include "thenar/deprecated.h"
 
 #include <type_traits>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,9 @@ TEST(Deprecated, TypesAreThoseOfToday) {
   EXPECT_TRUE((std::is_same_v<TipForceAnswer, TipForceResult>));
   EXPECT_TRUE((std::is_same_v<FeasibleForceAnswer, FeasibleForceResult>));
   EXPECT_TRUE((std::is_same_v<MomentArmAnswer, MomentArmResult>));
+  EXPECT_TRUE((std::is_same_v<PoseAnswer, PoseResult>));
+  EXPECT_TRUE((std::is_same_v<AskPosture, ComputePosture>));
+  EXPECT_TRUE((std::is_same_v<NoAnswer, RecordFailure>));
   EXPECT_TRUE((std::is_same_v<DigitSweep, DigitResult>));
   EXPECT_TRUE((std::is_same_v<QualityRequest, ContactQualityRequest>));
   EXPECT_TRUE((std::is_same_v<ContactQuality, ContactQualityResult>));
@@ -32,6 +36,7 @@ TEST(Deprecated, TypesAreThoseOfToday) {
   EXPECT_TRUE((std::is_same_v<SceneJointKind, JointKind>));
   EXPECT_FALSE(trusted(TendonStatus::kUnbalanced));
   EXPECT_EQ(kNmm, 1e-3);
+  EXPECT_EQ(kMostSamples, kMaxSceneSamples);
   EXPECT_EQ(kNormal95, kNormal95HalfWidth);
   EXPECT_TRUE((std::is_same_v<Scene, GraspSetup>));
   EXPECT_TRUE((std::is_same_v<SceneBody, GraspBody>));
@@ -50,6 +55,11 @@ TEST(Deprecated, FunctionsAnswerAsThoseOfToday) {
             compute_feasible_force(feasible).points[0].largest->component);
   EXPECT_EQ(ask_moment_arms(request.digit).points[0].arms,
             compute_moment_arms(request.digit).points[0].arms);
+  PoseRequest pose;
+  pose.model = request.digit.subject;
+  pose.data = THENAR_DATA_DIR;
+  EXPECT_EQ(std::get<SubjectPoses>(ask_pose(pose)).points[0].tips[0].p,
+            std::get<SubjectPoses>(compute_poses(pose)).points[0].tips[0].p);
   ContactQualityRequest contacts;
   contacts.contacts = "two_soft_fingers";
   contacts.data = THENAR_DATA_DIR;
@@ -59,6 +69,7 @@ TEST(Deprecated, FunctionsAnswerAsThoseOfToday) {
   EXPECT_NE(&fit_forces, nullptr);
   EXPECT_NE(&run_scene, nullptr);
   EXPECT_NE(&vary_scene, nullptr);
+  EXPECT_NE(&ask_postures, nullptr);
 }
 
 }  // namespace

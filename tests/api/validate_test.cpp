@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "api/scenes/simulate_scene.h"
+#include "api/scenes/write_scene_run.h"
 #include "api/simulate.h"
 #include "base/error.h"
 #include "data/io/toml_node.h"

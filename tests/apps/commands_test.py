@@ -490,7 +490,7 @@ class Simulate(Near):
 
     def test_complaints_name_what_is_missing(self):
         self.assertEqual(complaint("simulate", INDEX, "--excitation", "FPL=1"),
-                         "thenar: no muscle 'FPL', did you mean 'FDP'? there are EDC, EIP, FDP, FDS, RI, LU, UI")
+                         "thenar: no muscle 'FPL', did you mean 'FDP'? there are EDC, EIP, FDP, FDS, RI, LU, UI (--excitation)")
         self.assertIn("muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm'",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--muscle",
                                 "elastic-tendon"))
@@ -864,7 +864,10 @@ class WrongKinds(unittest.TestCase):
                     (("grasp", urdf), "is a robot, wanted a world"),
                     (("grasp", urdf), "docs/tutorials/own_gripper.md"),
                     (("grasp", mesh), "is a mesh, wanted a world; try: thenar import"),
-                    (("pose", mug), "is an object, wanted a subject or a robot"),
+                    (("pose", mug), "is an object, wanted a subject or a robot; commands that take it: "
+                                    f"thenar explain {mug}, thenar import {mug}"),
+                    (("tip-force", "barrett", "--tension", "FDP=1"),
+                     "there is no subject 'barrett'; it is a hand: thenar pose barrett"),
                     (("tip-force", jaw, "--tension", "FDP=1"), "is a robot, wanted a subject"),
                     (("fit", MIDDLE, "--subject", MIDDLE), "is a subject, wanted an experiment"),
                     (("compare", "--hands", mug, "--objects", "can"),
@@ -980,33 +983,33 @@ class Complaints(unittest.TestCase):
         posed = ("pose", MIDDLE)
         cases = [
             (("pose", MIDDLE, "--posture", "PIP=3"),
-             "no free joint 'PIP', did you mean 'PIP3'? there are MCP3_FE, MCP3_AA, PIP3, DIP3"),
+             "no free joint 'PIP', did you mean 'PIP3'? there are MCP3_FE, MCP3_AA, PIP3, DIP3 (--posture)"),
             ((*posed, "--posture", 1, 2),
-             "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2"),
+             "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2 (--posture)"),
             ((*posed, "--posture", "PIP3=ten"), "wanted JOINT=degrees for 'PIP3', got 'ten'"),
             ((*posed, "--posture", "PIP3=1", "PIP3=2"), "'PIP3' is given twice"),
             ((*posed, "--frozen", "PIP3=120"),
-             "joint 'PIP3' can be frozen at -15.6 .. 96.2 deg, got 120 deg"),
+             "joint 'PIP3' can be frozen at -15.6 .. 96.2 deg, got 120 deg (--frozen)"),
             (("pose", INDEX_MAPS),
              "subject 'valero_cuevas_index' has no joints to pose, only maps from tendon tensions "
              "to tip forces; ask tip-force or feasible-force"),
             (("tip-force", MIDDLE, "--tension", "FPD=1"),
-             "no muscle 'FPD', did you mean 'FDP'? there are EDC, FDP, FDS, RI, LU, UI"),
+             "no muscle 'FPD', did you mean 'FDP'? there are EDC, FDP, FDS, RI, LU, UI (--tension)"),
             (("tip-force", MIDDLE, "--tension", "FDP=-1"),
              "wanted a tension >= 0 of 'FDP', got -1 N (--tension)"),
             (("tip-force", WHOLE, "--tension", "FDP=1"),
              "choose a digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little (--digit)"),
             (("tip-force", MIDDLE, "--digit", "thumb", "--tension", "FDP=1"),
-             "subject 'an_chao_middle' has no digit 'thumb'; there are middle"),
+             "subject 'an_chao_middle' has no digit 'thumb'; there are middle (--digit)"),
             (("tip-force", SKEWED, "--digit", "index", "--tension", "FPL=1"),
              "no muscle of subject 'graspit_skewed_thumb' crosses a free joint of digit 'index'; "
-             "digits with muscles: thumb"),
+             "digits with muscles: thumb (--digit)"),
             (("feasible-force", INDEX_MAPS, "--map", "JinvTR"),
              "digit 'index' of subject 'valero_cuevas_index' has no tip map 'JinvTR'; there are "
-             "JinvT_R, fvc_hentz_2002, cadaver_hand4"),
+             "JinvT_R, fvc_hentz_2002, cadaver_hand4 (--map)"),
             (("feasible-force", INDEX_MAPS, "--posture", "PIP2=3"),
              "tip map 'JinvT_R' is for one posture of its own: "
-             "it takes no posture, frozen joints, swept joints or paths"),
+             "it takes no posture, frozen joints, swept joints or paths (--posture)"),
             (("feasible-force", WHOLE, "--digit", "ring", "--direction", 0, 0, 0),
              None),
             (("explain", H01, "--digit", "index"),

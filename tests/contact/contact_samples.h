@@ -36,7 +36,7 @@ struct TouchingBodies {
   /// A contact of `body` with `other` (-1: ground); the normal points into `body`.
   void touch(const ContactBlock& block, int body, int other, const Eigen::Vector3d& point,
              const Eigen::Vector3d& normal) {
-    const int count = rows_of(block.law);
+    const int count = row_count(block.law);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(count, 6 * static_cast<int>(bodies.size()));
     const Eigen::Vector3d side =
         std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();

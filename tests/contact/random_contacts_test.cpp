@@ -45,7 +45,7 @@ void check_friction(const VectorXd& f, const VectorXd& u, double mu, LawCheck* c
 
 /// 1 / root of the largest diagonal entry of a block, but for torsion.
 double size_of(const ContactProblem& problem, const ContactBlock& block, Index start) {
-  const Index rows = std::min(rows_of(block.law), 3);
+  const Index rows = std::min(row_count(block.law), 3);
   return 1 / std::sqrt(problem.W.diagonal().segment(start, rows).maxCoeff());
 }
 
@@ -56,16 +56,16 @@ double law_violation(const ContactProblem& problem, const VectorXd& f) {
   Index start = 0;
   for (const ContactBlock& block : problem.blocks) {
     const double m = size_of(problem, block, start);
-    const Index rows = std::min(rows_of(block.law), 3);
+    const Index rows = std::min(row_count(block.law), 3);
     check.velocity =
         std::max(check.velocity, problem.b.segment(start, rows).lpNorm<Eigen::Infinity>() * m);
     check.impulse = std::max(check.impulse, f.segment(start, rows).lpNorm<Eigen::Infinity>() / m);
-    start += rows_of(block.law);
+    start += row_count(block.law);
   }
   check.impulse = std::max(check.impulse, check.velocity);
   Index i = 0;
   for (const ContactBlock& block : problem.blocks) {
-    const Index rows = rows_of(block.law);
+    const Index rows = row_count(block.law);
     // One size of a block, so that cones stay cones.
     const double m = size_of(problem, block, i);
     VectorXd g = f.segment(i, rows) / m, v = u.segment(i, rows) * m;
@@ -172,7 +172,7 @@ TEST(RandomContacts, FrictionDissipatesMost) {
     ASSERT_EQ(found.status, Status::kSolved);
     Index i = 0;
     for (const ContactBlock& block : problem.blocks) {
-      const Index rows = rows_of(block.law);
+      const Index rows = row_count(block.law);
       if (rows >= 3 && found.f(i) > 1e-6) {
         VectorXd ft = found.f.segment(i + 1, rows - 1), ut = found.u.segment(i + 1, rows - 1);
         if (rows == 4) ft(2) /= block.torsion_radius, ut(2) *= block.torsion_radius;

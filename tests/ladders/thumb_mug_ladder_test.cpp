@@ -40,7 +40,7 @@ ThumbOnMug scene_of_file(bool compliant) {
 
 std::vector<ThumbOnMugState> states_of_run(const ThumbOnMug& made) {
   SceneOptions options = made.options;
-  options.sample = 0.05;
+  options.sample_interval = 0.05;
   const SceneRun run = simulate_scene(made.scene, options);
   EXPECT_EQ(run.cost.unsolved, 0);
   return states_of(made, run);

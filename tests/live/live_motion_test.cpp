@@ -348,7 +348,7 @@ TEST(LiveMotion, StepsAreThoseOfSimulatedScenes) {
     SceneRequest request;
     request.scene = name;
     request.data = kData;
-    request.method = "time-stepping";
+    request.method = SteppingMethod::kTimeStepping;
     request.step = motion.live_time().step;
     request.seconds = 0.2;
     const SceneResult wanted = simulate_scene(request);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/scenes/write_scene_run.h"
 #include "base/file_io.h"
 #include "data/io/result_file.h"
 #include "tests/data_folder.h"
@@ -80,14 +81,14 @@ TEST_F(RecordedRunFile, HoldsTheLimitsThatJointsWentBeyond) {
   request.data = kData;
   request.seconds = 0.01;
   SceneResult run = simulate_scene(request);
-  run.run.cost.beyond[0] = 0.25;
+  run.run.cost.limit_excess[0] = 0.25;
   write_scene_run(run, path("limits.h5"));
   const RecordedScene got = read("limits.h5");
   ASSERT_EQ(got.limits.size(),
-            passed_limits(run.built->scene.mechanism, run.run.cost.beyond).size());
+            passed_limits(run.built->scene.mechanism, run.run.cost.limit_excess).size());
   ASSERT_EQ(got.limits.size(), 1U);
   EXPECT_EQ(got.limits[0].joint, run.built->scene.mechanism.joints[0].name);
-  EXPECT_EQ(got.limits[0].beyond, 0.25);
+  EXPECT_EQ(got.limits[0].excess, 0.25);
 }
 
 // Files of before 0.2 name no rung of tendon paths: they were straight.

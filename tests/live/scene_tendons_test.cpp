@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "api/scenes/write_scene_run.h"
 #include "live/live_motion.h"
 #include "live/recorded_motion.h"
 #include "tests/data_folder.h"

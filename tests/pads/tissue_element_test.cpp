@@ -4,6 +4,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/error.h"
 
@@ -47,7 +48,7 @@ struct Case {
   }
   ElementResponse at(const Matrix3Xd& where, ElementRequest ask) const {
     ElementResponse out;
-    element_response(kind, shape, tissue, where, &step, &history, nullptr, ask, out);
+    element_response({kind, shape, tissue, where, &step, &history}, ask, out);
     return out;
   }
 
@@ -108,15 +109,16 @@ TEST_P(TissueElements, PressureAfterAChangeIsLinearised) {
   const Case c(GetParam());
   // Nothing moved: the pressure itself; twice as far: twice the change.
   const Matrix3Xd du = 1e-3 * c.u.rowwise().reverse();
-  const Eigen::Vector4d p0 = linear_pressure(c.kind, c.shape, c.tissue, c.u, 0 * du);
-  const Eigen::Vector4d p1 = linear_pressure(c.kind, c.shape, c.tissue, c.u, du);
-  const Eigen::Vector4d p2 = linear_pressure(c.kind, c.shape, c.tissue, c.u, 2 * du);
+  const Eigen::Vector4d p0 = linear_pressure({c.kind, c.shape, c.tissue, c.u}, 0 * du);
+  const Eigen::Vector4d p1 = linear_pressure({c.kind, c.shape, c.tissue, c.u}, du);
+  const Eigen::Vector4d p2 = linear_pressure({c.kind, c.shape, c.tissue, c.u}, 2 * du);
   EXPECT_LT((p2 - 2 * p1 + p0).norm(), 1e-12 * p0.norm() + 1e-12);
   // By differences of the pressure.
   constexpr double kStep = 1e-5;
-  const Eigen::Vector4d plus = linear_pressure(c.kind, c.shape, c.tissue, c.u + kStep * du, 0 * du);
+  const Eigen::Vector4d plus =
+      linear_pressure({c.kind, c.shape, c.tissue, c.u + kStep * du}, 0 * du);
   const Eigen::Vector4d minus =
-      linear_pressure(c.kind, c.shape, c.tissue, c.u - kStep * du, 0 * du);
+      linear_pressure({c.kind, c.shape, c.tissue, c.u - kStep * du}, 0 * du);
   EXPECT_LT(((plus - minus) / (2 * kStep) - (p1 - p0)).norm(), 1e-7 * p0.norm());
 }
 

@@ -14,8 +14,9 @@ TEST(BoundedTable, IsTheMapToTenDigits) {
     const BoundedNormal exact(lower, upper);
     const BoundedTable table(exact);
     for (double x = -12; x <= 12; x += 0.0137) {
-      EXPECT_NEAR(table.evaluate(x).z, exact.at(x).z, 1e-10) << lower << " " << upper << " " << x;
-      EXPECT_NEAR(table.evaluate(x).by_x, exact.at(x).by_x, 1e-8)
+      EXPECT_NEAR(table.evaluate(x).z, exact.evaluate(x).z, 1e-10)
+          << lower << " " << upper << " " << x;
+      EXPECT_NEAR(table.evaluate(x).by_x, exact.evaluate(x).by_x, 1e-8)
           << lower << " " << upper << " " << x;
     }
   }

@@ -20,6 +20,7 @@ struct Squeeze {
   std::map<std::string, double> force;  // [N]
   int count = 3;
   bool twice = false;
+  std::vector<Grip> next;  // grips that follow
 };
 
 RequestTable<Squeeze> squeeze_table() {
@@ -32,6 +33,8 @@ RequestTable<Squeeze> squeeze_table() {
             "Of whom.");
   table.add("count", integer_schema(1, 9), &Squeeze::count, "How often.");
   table.add("twice", flag_schema(), &Squeeze::twice, "Whether.");
+  table.add_words("next", list_schema(text_schema(), 0, 9), "grip", kGripNames, &Squeeze::next,
+                  "What follows.");
   return table;
 }
 
@@ -91,6 +94,17 @@ TEST(RequestTable, NamesTheFieldThatIsWrong) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.field(), "width");
   }
+}
+
+TEST(RequestTable, ReadsAndWritesListsOfWords) {
+  const RequestTable<Squeeze> table = squeeze_table();
+  const Squeeze read =
+      table.read(Json::parse(R"({"object": "can", "next": ["tip", "palm", "tip"]})"));
+  EXPECT_EQ(read.next, (std::vector<Grip>{Grip::kTip, Grip::kPalm, Grip::kTip}));
+  EXPECT_EQ(table.write(read)["next"], OrderedJson::parse(R"(["tip", "palm", "tip"])"));
+  EXPECT_FALSE(table.write(Squeeze()).contains("next"));
+  EXPECT_EQ(refusal(R"({"object": "can", "next": ["tpi"]})"),
+            "no grip 'tpi', did you mean 'tip'? there are palm, tip");
 }
 
 TEST(RequestTable, IsASchemaInSi) {

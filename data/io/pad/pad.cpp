@@ -14,10 +14,10 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostCells = 64;  // Most cells along one way; finer meshes are made by refinement
-constexpr std::size_t kMaxLayers = 8;      // largest number of layers of skin
-constexpr std::size_t kMaxTerms = 8;       // largest number of terms of relaxation
-constexpr double kLongestPad = 0.2;        // Longest pad; longer ones have a wrong unit [m]
+constexpr int kMaxCellsAlong = 64;     // Largest number of cells along one way, before refinement
+constexpr std::size_t kMaxLayers = 8;  // largest number of layers of skin
+constexpr std::size_t kMaxTerms = 8;   // largest number of terms of relaxation
+constexpr double kLongestPad = 0.2;    // Longest pad; longer ones have a wrong unit [m]
 constexpr double kMaxShearModulus = 1e9;   // largest shear modulus [Pa]
 constexpr double kMaxExponent = 1e3;       // largest |exponent| of a law [1]
 constexpr double kMinPoisson = -0.999;     // smallest Poisson's ratio [1]
@@ -135,9 +135,9 @@ PadTissueSpec read_tissue(TomlTable& table, bool is_layer) {
 
 int read_count(TomlTable& table, const std::string& key, int fallback) {
   const double count = table.number_or(Dimension::kNumber, key, fallback);
-  if (count != std::floor(count) || count < 1 || count > kMostCells)
+  if (count != std::floor(count) || count < 1 || count > kMaxCellsAlong)
     table.fail(
-        fmt::format("wanted '{}' as a whole number in 1..{}, got {:g}", key, kMostCells, count),
+        fmt::format("wanted '{}' as a whole number in 1..{}, got {:g}", key, kMaxCellsAlong, count),
         key);
   return static_cast<int>(count);
 }

@@ -166,8 +166,8 @@ struct SceneSpec {
   FileDigests files = {};  // digests of all input files except hands
 };
 
-/// Most instants that a run keeps.
-inline constexpr double kMostSamples = 1e6;
+/// Largest number of instants that a run keeps [1].
+inline constexpr double kMaxSceneSamples = 1e6;
 
 /// Reads a scene (data/scenes) from TOML; docs/data_format.md describes the format. Files named in
 /// it are relative to its folder.

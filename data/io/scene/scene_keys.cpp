@@ -197,9 +197,9 @@ SteppingSpec read_stepping(TomlTable& table) {
   stepping.method = table.text_or("method", stepping.method);
   stepping.duration = table.number(Dimension::kTime, "duration", Range::kPositive);
   stepping.sample = table.number_or(Dimension::kTime, "sample", stepping.sample, Range::kPositive);
-  if (stepping.duration / stepping.sample > kMostSamples)
+  if (stepping.duration / stepping.sample > kMaxSceneSamples)
     table.fail(fmt::format("wanted at most {:g} samples, got {:g} s in steps of {:g} s",
-                           kMostSamples, stepping.duration, stepping.sample),
+                           kMaxSceneSamples, stepping.duration, stepping.sample),
                "sample");
   const auto if_stated = [&](Dimension dimension, const char* key) {
     return number_if(table, dimension, key, Range::kPositive);

@@ -33,7 +33,7 @@ TEST(BuildDigit, SaysWhatAnotherNameStandsFor) {
   request.subject = "barrett";
   request.data = kData;
   EXPECT_EQ(message_of([&] { (void)build_digit(request, Hood::kFractions); }),
-            "there is no subject 'barrett'; it is a hand: thenar pose barrett");
+            "there is no subject 'barrett'; it is a hand");
 }
 
 TEST(BuildDigit, BuildsANetWhereOneIsNamed) {

@@ -74,12 +74,17 @@ TEST(ContentsOf, NamesTheFileThatWasMeant) {
             "there is no file '" + kFolder + "wxyz.csv'");
 }
 
-TEST(RequireKind, SaysWhichCommandTakesAnotherKind) {
+TEST(RequireKind, NamesAnotherKind) {
   const std::string path = result_with("fit 2.h5", "fit/z");
   EXPECT_NO_THROW(require_kind(path, {"fit"}));
   EXPECT_EQ(message_of([&] { require_kind(path, {"posterior"}); }),
-            "'" + path + "' is a fit, wanted a posterior; commands that take it: thenar predict '" +
-                path + "' EXPERIMENT, thenar explain '" + path + "'");
+            "'" + path + "' is a fit, wanted a posterior");
+  // Advice is for parts of a world alone.
+  EXPECT_EQ(message_of([&] { require_kind(path, {"world"}, "put it into a world"); }),
+            "'" + path + "' is a fit, wanted a world");
+  const std::string mug = kData + "/objects/mug.toml";
+  EXPECT_EQ(message_of([&] { require_kind(mug, {"world"}, "put it into a world"); }),
+            "'" + mug + "' is an object, wanted a world; put it into a world");
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace {
 TEST(FindHand, KnowsVersionsByTheirNamesAndByTheOldOnes) {
   const HandSource found = find_hand("human:soft", {kData});
   EXPECT_TRUE(found.human);
-  EXPECT_EQ(found.version, "soft");
-  EXPECT_EQ(find_hand("human:tier3", {kData}).version, "soft");
-  EXPECT_EQ(find_hand("human", {kData}).version, "tendons");
-  EXPECT_EQ(find_hand("human:tier4:wrapped", {kData}).path, "wrapped");
+  EXPECT_EQ(found.version, HumanVersion::kSoftPads);
+  EXPECT_EQ(find_hand("human:tier3", {kData}).version, HumanVersion::kSoftPads);
+  EXPECT_EQ(find_hand("human", {kData}).version, HumanVersion::kTendonNet);
+  EXPECT_EQ(find_hand("human:tier4:wrapped", {kData}).path, Path::kWrapped);
 }
 
 TEST(HandByName, WrapsUnlessItsNameOrTheOptionsSayOtherwise) {
@@ -35,8 +35,9 @@ TEST(HandByName, WrapsUnlessItsNameOrTheOptionsSayOtherwise) {
 
 TEST(FindHand, TakesSubjectsFromFiles) {
   const std::string file = std::string(kData) + "/subjects/mirakhorlo2016.toml";
-  EXPECT_EQ(find_hand(file, {kData}).version, "skewed");  // which wants no tendons
-  EXPECT_EQ(find_hand(file + ":tendons", {kData}).version, "tendons");
+  EXPECT_EQ(find_hand(file, {kData}).version,
+            HumanVersion::kSkewedThumb);  // which wants no tendons
+  EXPECT_EQ(find_hand(file + ":tendons", {kData}).version, HumanVersion::kTendonNet);
   EXPECT_EQ(find_hand(file + ":tendons", {kData}).file, file);
 }
 
@@ -47,8 +48,9 @@ TEST(FindHand, RefusesWhatIsNoVersion) {
 }
 
 TEST(FindHand, KnowsHandsWithoutPassiveMoments) {
-  for (const auto& [name, path] : {std::pair{"human:tendons:passive-off", ""},
-                                   std::pair{"human:tier4:wrapped:passive-off", "wrapped"}}) {
+  for (const auto& [name, path] :
+       {std::pair{"human:tendons:passive-off", std::optional<Path>()},
+        std::pair{"human:tier4:wrapped:passive-off", std::optional(Path::kWrapped)}}) {
     const HandSource source = find_hand(name, {kData});
     EXPECT_EQ(source.passive, PassiveMoments::kOff) << name;
     EXPECT_EQ(source.path, path) << name;

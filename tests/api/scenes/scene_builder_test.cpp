@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "api/scenes/simulate_scene.h"
+#include "api/scenes/write_scene_run.h"
 #include "base/error.h"
 #include "tests/message_of.h"
 

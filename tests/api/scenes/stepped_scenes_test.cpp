@@ -57,9 +57,9 @@ TEST(SteppedScenes, AreThoseOfSimulateScene) {
     OpenScene open = open_scene(read_scene(entry.path().string()), kData);
     SceneOptions& options = open.built.options;
     options.method = SteppingMethod::kTimeStepping;
-    options.step = 1e-3;
-    options.seconds = 0.06;
-    options.sample = 0.02;
+    options.step_length = 1e-3;
+    options.duration = 0.06;
+    options.sample_interval = 0.02;
     const SceneRun run = simulate_scene(open.built.scene, options);
     SceneStepper stepper(open.built.scene, options);
     (void)stepped(stepper, 17);

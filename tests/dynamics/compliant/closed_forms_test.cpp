@@ -48,7 +48,7 @@ TEST_P(CompliantPrograms, BallRestsAtTheDepthOfHertz) {
   EXPECT_NEAR(contact.force.z(), -weight, 1e-5 * weight);
   EXPECT_NEAR(contact.point.z(), -0.5 * depth, 1e-9);
   EXPECT_NEAR(end.energy.springs, 0.4 * weight * depth, 1e-5 * weight * depth);
-  EXPECT_GT(run.cost.deepest, depth);
+  EXPECT_GT(run.cost.max_penetration, depth);
 }
 
 // Of m d'' = -F(d) (1 + a d'), a = 1.5 c, the speeds before and after obey  G(v) = G(-e v)  with
@@ -59,7 +59,7 @@ TEST_P(CompliantPrograms, BouncesKeepTheSpeedOfHuntAndCrossley) {
   const double c = 0.3, a = 1.5 * c, v = 1;
   world.scene.v << 0, 0, 0, 0, 0, -v;
   SceneOptions options;
-  options.seconds = 0.1;
+  options.duration = 0.1;
   options.compliance.dissipation = c;
   options.tolerance = 1e-10;
   const SceneRun run = this->run(world.scene, options);
@@ -78,7 +78,7 @@ TEST_P(CompliantPrograms, CubeSlidesAsItsRampSays) {
   const double slope = 0.5, mu = 0.3;
   const sample::Incline world = sample::incline(slope, mu);
   SceneOptions options;
-  options.seconds = 0.4;
+  options.duration = 0.4;
   options.compliance.stiffness = 1e7;
   options.compliance.dissipation = 100;
   options.compliance.transition = 0.02;
@@ -106,7 +106,7 @@ TEST_P(CompliantPrograms, CubeSlidesAsItsRampSays) {
 TEST_P(CompliantPrograms, HeldCubeCreepsAtTheSpeedOfItsShare) {
   const sample::Pinch world = sample::pinch({});
   SceneOptions options;
-  options.seconds = 0.5;
+  options.duration = 0.5;
   options.compliance.dissipation = 100;
   const double share = 0.1 * kG / (2 * 0.8 * 2);
   const SceneRun run = this->run(world.scene, options);
@@ -127,8 +127,8 @@ TEST(SimbodyScene, MeshRestsOnItsElasticFoundation) {
   X.p = {0.3, 0, 0.025};
   const int body = sample::add_body(scene, "cube", cube, 0.1, X);
   SceneOptions options;
-  options.seconds = 0.3;
-  options.sample = 0.3;
+  options.duration = 0.3;
+  options.sample_interval = 0.3;
   options.tolerance = 1e-8;
   options.compliance.modulus = 1e6;
   options.compliance.dissipation = 100;
@@ -142,7 +142,7 @@ TEST(SimbodyScene, MeshRestsOnItsElasticFoundation) {
 TEST(PenaltyScene, ResolvesCreepBelowItsTolerance) {
   const sample::Pinch world = sample::pinch({});
   SceneOptions options;
-  options.seconds = 2;
+  options.duration = 2;
   options.tolerance = 1e-6;
   options.compliance.modulus = 1e10;
   options.compliance.dissipation = 10;
@@ -203,7 +203,7 @@ TEST_P(CompliantPrograms, JointsLeanOnStopsByTheirStiffness) {
   joint.damping = 0.01;
   SceneOptions options;
   options.compliance.stop = 100;
-  options.seconds = 3;
+  options.duration = 3;
   const SceneRun run = this->run(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double q = run.samples.back().q[0];

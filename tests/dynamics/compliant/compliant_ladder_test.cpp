@@ -44,7 +44,7 @@ TEST(CompliantLadder, ProgramsAgreeOnAThrownBall) {
   world.scene.friction.coefficient = 0.4;
   world.scene.v << 3, 20, -2, 0.5, 0.2, 0;
   SceneOptions options;
-  options.seconds = 0.5;
+  options.duration = 0.5;
   options.compliance.modulus = 1e7;
   options.compliance.transition = 1e-2;
   options.tolerance = 1e-11;
@@ -56,7 +56,7 @@ TEST(CompliantLadder, ProgramsAgreeOnAThrownBall) {
 TEST(CompliantLadder, ProgramsAgreeOnAPinchThatSwings) {
   const sample::Pinch world = swing();
   SceneOptions options;
-  options.seconds = 0.3;
+  options.duration = 0.3;
   options.compliance.modulus = 1e7;
   options.compliance.dissipation = 10;
   options.compliance.transition = 1e-2;
@@ -92,7 +92,7 @@ TEST(CompliantLadder, ProgramsAgreeOnMechanismsWithoutContacts) {
     if (!scene.mechanism.coordinates.empty())
       scene.drives.push_back({0, 0.02, 1, 0.01, 0.3, 0.5, 0.1, {0.02, 0.15}});
     SceneOptions options;
-    options.seconds = 0.2;
+    options.duration = 0.2;
     options.compliance.transition = 0.1;
     options.compliance.stop = 50;
     options.tolerance = 1e-9;
@@ -105,7 +105,7 @@ TEST(CompliantLadder, ProgramsAgreeOnMechanismsWithoutContacts) {
 TEST(CompliantLadder, SwingingPinchTendsToRigidContacts) {
   const sample::Pinch world = swing();
   SceneOptions options;
-  options.seconds = 0.3;
+  options.duration = 0.3;
   const SceneRun rigid = simulate_scene(world.scene, options);
   options.compliance.modulus = 0;  // linear springs
   options.compliance.dissipation = 10;
@@ -130,7 +130,7 @@ TEST(CompliantLadder, SlidingCubeTendsToCoulomb) {
   const sample::Incline world = sample::incline(slope, mu);
   const double way = 0.5 * sample::kG * (std::sin(slope) - mu * std::cos(slope)) * 0.4 * 0.4;
   SceneOptions options;
-  options.seconds = 0.4;
+  options.duration = 0.4;
   options.compliance.dissipation = 100;
   options.compliance.stiffness = 1e7;
   std::vector<double> errors;

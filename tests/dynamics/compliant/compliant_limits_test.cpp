@@ -56,7 +56,7 @@ TEST(CompliantLimits, SimbodyNamesTheBodyWhoseMeshIsOpen) {
   X.p = {0.3, 0, 0.025};
   const int body = sample::add_body(scene, "cube", cube, 0.1, X);
   SceneOptions options;
-  options.seconds = 0.01;
+  options.duration = 0.01;
   EXPECT_EQ(simulate_simbody_scene(scene, options).status, SceneStatus::kDone);
   Solid open = *scene.mechanism.bodies[static_cast<std::size_t>(body)].solid;
   Eigen::Matrix3Xi& triangles = open.collision.front().core.triangles;
@@ -130,7 +130,7 @@ TEST(CompliantLimits, NothingFastGoesThroughSomethingThin) {
   scene.v[5] = -30;
   scene.gravity.setZero();
   SceneOptions options;
-  options.seconds = 0.05;
+  options.duration = 0.05;
   options.compliance.modulus = 1e11;
   options.compliance.dissipation = 0;
   const SceneRun run = simulate_penalty_scene(scene, options);
@@ -143,7 +143,7 @@ TEST(CompliantLimits, NothingFastGoesThroughSomethingThin) {
 TEST(CompliantLimits, TellStepsThatWereMadeInVain) {
   const sample::BallOnFloor world = sample::ball_on_floor(0.01);
   SceneOptions options;
-  options.seconds = 0.2;
+  options.duration = 0.2;
   for (const sample::CompliantProgram& program : {sample::kOfSimbody, sample::kOfSundials}) {
     const SceneRun run = program.run(world.scene, options, {});
     EXPECT_GT(run.cost.rejected, 0) << program.name;
@@ -179,7 +179,7 @@ TEST(CompliantLimits, TheSameSceneGivesTheSameBits) {
   world.scene.v << 3, 20, -2, 0.5, 0.2, 0;
   world.scene.friction.coefficient = 0.3;
   SceneOptions options;
-  options.seconds = 0.2;
+  options.duration = 0.2;
   for (const sample::CompliantProgram& program : {sample::kOfSimbody, sample::kOfSundials}) {
     const SceneRun once = program.run(world.scene, options, {});
     const SceneRun again = program.run(world.scene, options, {});

@@ -79,8 +79,8 @@ MuscleSchedule constant(int muscle, double value, const TimeSpan& when = {}) {
 
 SceneOptions lasting(double seconds, double tolerance = 1e-9) {
   SceneOptions options;
-  options.seconds = seconds;
-  options.sample = 0.01;
+  options.duration = seconds;
+  options.sample_interval = 0.01;
   options.tolerance = tolerance;
   return options;
 }

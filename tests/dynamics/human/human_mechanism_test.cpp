@@ -187,9 +187,9 @@ TEST(HumanScene, TendonsPullAHingeThatGivesAsThePin) {
   ASSERT_EQ(gives.scene.mechanism.coordinates.size(), pin.scene.mechanism.coordinates.size() + 5);
   for (BuiltScene* scene : {&pin, &gives}) {
     scene->options.method = SteppingMethod::kTimeStepping;
-    scene->options.step = 2e-4;
-    scene->options.seconds = 0.04;
-    scene->options.sample = 0.01;
+    scene->options.step_length = 2e-4;
+    scene->options.duration = 0.04;
+    scene->options.sample_interval = 0.01;
   }
   const SceneRun a = simulate_scene(pin.scene, pin.options);
   const SceneRun b = simulate_scene(gives.scene, gives.options);

@@ -82,7 +82,7 @@ TEST(TendonGroup, WarnsOfTheWayToTheStart) {
   model.contraction = std::move(owned.contraction);
   scene.elements.push_back(std::make_shared<const DigitPull>(std::move(model)));
   SceneOptions options;
-  options.seconds = 1e-3;
+  options.duration = 1e-3;
   const RunMeasures measures = measure_run(scene, simulate_scene(scene, options));
   EXPECT_THAT(measures.pulls.warnings,
               testing::ElementsAre("digit, on the way to the start: a tendon lifts off"));

@@ -138,7 +138,7 @@ TEST(LigamentElement, CarriesAWeight) {
   scene.elements.push_back(std::make_shared<LigamentElement>(
       "cord", BodyPoint{-1, {0, 0, 0.01}}, BodyPoint{0, scene.mechanism.bodies[0].mass.com}, law));
   SceneOptions options;
-  options.seconds = 3;
+  options.duration = 3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const double strain = std::sqrt(4 * 0.03 * 0.02 * 9.81 / 300);

@@ -97,8 +97,8 @@ TEST(CompliantJoint, MovesAsABoneOnAFreeJointInABushing) {
     MovingScene chain = falling(sample::compliant_scene(count, law));
     MovingScene bushing = falling(sample::bushing_scene(count, law));
     SceneOptions options;
-    options.seconds = 0.15;
-    options.sample = 0.05;
+    options.duration = 0.15;
+    options.sample_interval = 0.05;
     options.tolerance = 1e-11;
     const SceneRun a = simulate_scene(chain, options), b = simulate_scene(bushing, options);
     ASSERT_EQ(a.status, SceneStatus::kDone);
@@ -120,7 +120,7 @@ TEST(CompliantJoint, KeepsEnergyWithoutDamping) {
   MovingScene scene = falling(sample::compliant_scene(2, sample::uneven_law()));
   scene.v[0] = 12;
   SceneOptions options;
-  options.seconds = 0.3;
+  options.duration = 0.3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   double turned_over = 0;
@@ -188,7 +188,7 @@ TEST(CompliantJoint, YieldsAsItsLawSays) {
       (turns ? force.moment : force.force) = load * axis;
       scene.forces.push_back(force);
       SceneOptions options;
-      options.seconds = 2;
+      options.duration = 2;
       const SceneRun run = simulate_scene(scene, options);
       ASSERT_EQ(run.status, SceneStatus::kDone);
       const double found =
@@ -203,8 +203,8 @@ TEST(CompliantJoint, YieldsAsItsLawSays) {
 // The stiffer, the more a pin: flexion differs in proportion to 1 / stiffness.
 TEST(CompliantJoint, TendsToThePin) {
   SceneOptions options;
-  options.seconds = 0.2;
-  options.sample = 0.2;
+  options.duration = 0.2;
+  options.sample_interval = 0.2;
   const MovingScene pins = falling(sample::scene_of(sample::bones(2)));
   const SceneRun wanted = simulate_scene(pins, options);
   std::vector<double> errors;
@@ -244,9 +244,9 @@ TEST(CompliantJoint, IsStableInLongStepsHoweverStiff) {
   for (const double step : {1e-3, 5e-3, 20e-3}) {
     SceneOptions options;
     options.method = SteppingMethod::kTimeStepping;
-    options.step = step;
-    options.seconds = 1;
-    options.sample = 0.02;
+    options.step_length = step;
+    options.duration = 1;
+    options.sample_interval = 0.02;
     const MovingScene pins = braked(sample::scene_of(sample::bones(2)));
     const SceneRun wanted = simulate_scene(pins, options);
     for (const double stiffness : {1e4, 1e5, 1e6, 1e7, 1e8, 1e9})
@@ -271,7 +271,7 @@ TEST(CompliantJoint, IsStableBetweenEventsHoweverStiff) {
        {std::pair(1e4, 0.0), {1e4, 1.0}, {1e6, 0.0}, {1e6, 1.0}, {1e9, 1.0}}) {
     SCOPED_TRACE(testing::Message() << stiffness << " N/m, damping " << damping);
     SceneOptions options;
-    options.seconds = 0.1;
+    options.duration = 0.1;
     options.tolerance = 1e-6;
     const SceneRun run = simulate_scene(
         falling(sample::compliant_scene(2, sample::even_law(stiffness, 1e-4 * stiffness, damping))),
@@ -300,8 +300,8 @@ TEST(CompliantJoint, PressesOnAFloorHoweverStiff) {
         scene.drives.push_back({0, 0.2, 0, 2e-3});
         SceneOptions options;
         options.method = method;
-        options.step = options.longest = step;
-        options.seconds = 1;
+        options.step_length = options.max_step = step;
+        options.duration = 1;
         const SceneRun run = simulate_scene(scene, options);
         EXPECT_EQ(run.cost.unsolved, 0);
         if (method == SteppingMethod::kEvents) {
@@ -320,7 +320,7 @@ TEST(CompliantJoint, TellsWhereItsCoordinatesEnd) {
   CompliantJoint joint;
   MovingScene scene = sample::compliant_scene(1, sample::even_law(1e4, 1e-3), &joint);
   SceneOptions options;
-  options.seconds = 1e-3;
+  options.duration = 1e-3;
   EXPECT_EQ(simulate_scene(scene, options).status, SceneStatus::kDone);
   coordinate(scene, joint.coordinate[static_cast<std::size_t>(BushingCoordinate::kAbduction)]) =
       1.5;

@@ -200,9 +200,9 @@ ThumbOnMug thumb_on_mug(const ThumbOnMugOptions& options) {
   }
   out.scene.drives.push_back(growing_drive(mug_coordinate, kPush, kPushDamping, 0, -rate));
   out.options.method = SteppingMethod::kTimeStepping;
-  out.options.step = 5e-4;
-  out.options.seconds = options.seconds;
-  out.options.sample = 0.05 * options.seconds;
+  out.options.step_length = 5e-4;
+  out.options.duration = options.seconds;
+  out.options.sample_interval = 0.05 * options.seconds;
   return out;
 }
 

@@ -17,7 +17,7 @@ using sample::ThumbOnMugState;
 
 std::vector<ThumbOnMugState> run(const ThumbOnMugOptions& options, double step = 5e-4) {
   sample::ThumbOnMug made = sample::thumb_on_mug(options);
-  made.options.step = step;
+  made.options.step_length = step;
   const SceneRun run = simulate_scene(made.scene, made.options);
   // Facets turn the normal without the gap, which makes some energy of nothing: the status tells.
   EXPECT_EQ(run.cost.unsolved, 0);

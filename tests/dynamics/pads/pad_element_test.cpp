@@ -73,7 +73,7 @@ MovingScene cube_on_pad(const std::shared_ptr<const MovingPad>& pad, double gap,
       scene, "cube", primitive(ShapeKind::kBox, {2 * kHalf, 2 * kHalf, 2 * kHalf}), kMass,
       JointKind::kSlide, {0, 0, 1}, {0, 0, 0});
   scene.q[0] = PadShape().height + kHalf + gap;
-  scene.apart.emplace_back(base, cube);
+  scene.excluded_pairs.emplace_back(base, cube);
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", base, Pose<double>{}, cube, pad, options));
   return scene;
@@ -82,7 +82,7 @@ MovingScene cube_on_pad(const std::shared_ptr<const MovingPad>& pad, double gap,
 SceneOptions for_seconds(double seconds, SteppingMethod method = SteppingMethod::kEvents) {
   SceneOptions options;
   options.method = method;
-  options.seconds = seconds;
+  options.duration = seconds;
   options.tolerance = 1e-7;
   return options;
 }
@@ -96,7 +96,7 @@ double depth_at(double force) {
   for (int i = 0; i < 60; ++i) {
     const double mean = 0.5 * (low + high);
     const Pose<double> X{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + kHalf - mean}};
-    (pad->move(X, 0).force < force ? low : high) = mean;
+    (pad->try_step(X, 0).force < force ? low : high) = mean;
   }
   return low;
 }
@@ -122,7 +122,7 @@ TEST(PadElement, RestsWithoutMovingThePadAgain) {
   const MovingScene scene = damped(cube_on_pad(soft_finger(0.5), 1e-4));
   const SceneRun run = simulate_scene(scene, for_seconds(3));
   ASSERT_EQ(run.status, SceneStatus::kDone);
-  EXPECT_GT(run.cost.asleep, 1);
+  EXPECT_GT(run.cost.rest_time, 1);
 }
 
 /// The height that a cube comes back to, over that from which it fell, by the largest of samples
@@ -130,7 +130,7 @@ TEST(PadElement, RestsWithoutMovingThePadAgain) {
 double comes_back(double force_error) {
   const MovingScene scene = cube_on_pad(soft_finger(0), 2e-3, {force_error, 0.02});
   SceneOptions options = for_seconds(0.12);
-  options.sample = 1e-3;
+  options.sample_interval = 1e-3;
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   double deepest = 0, back = -1;
@@ -164,7 +164,7 @@ TEST(PadElement, StepsOfFixedLengthAgreeWithStepsBetweenEvents) {
   const MovingScene scene = damped(cube_on_pad(soft_finger(0.5, kTerms), 1e-4, {0.002, 0.02}));
   const SceneRun events = simulate_scene(scene, for_seconds(0.2));
   SceneOptions fixed = for_seconds(0.2, SteppingMethod::kTimeStepping);
-  fixed.step = 2e-4;
+  fixed.step_length = 2e-4;
   const SceneRun steps = simulate_scene(scene, fixed);
   ASSERT_EQ(events.samples.size(), steps.samples.size());
   for (std::size_t i = 0; i < steps.samples.size(); ++i)
@@ -196,17 +196,17 @@ TEST(PadElement, TwoPadsHoldACubeByFrictionWithoutCreep) {
       X_BP.p = Vector3d(side * (away - 5e-5), 0, 0);
       const auto pad = fine ? elements(0.8) : soft_finger(0.8, kDamps);
       scene.elements.push_back(std::make_shared<PadElement>("pad", finger, X_BP, cube, pad));
-      scene.apart.emplace_back(std::min(finger, cube), std::max(finger, cube));
+      scene.excluded_pairs.emplace_back(std::min(finger, cube), std::max(finger, cube));
       SceneDrive drive;
       drive.coordinate = finger;
       drive.bias = 1;
       drive.damping = 10;
       scene.drives.push_back(drive);
     }
-    scene.apart.emplace_back(left, right);
+    scene.excluded_pairs.emplace_back(left, right);
     SceneOptions options = for_seconds(1);
     options.tolerance = 1e-6;
-    options.sample = 0.05;
+    options.sample_interval = 0.05;
     const SceneRun run = simulate_scene(scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     const double settled = run.samples[10].q[cube], last = run.samples.back().q[cube];
@@ -246,7 +246,7 @@ SceneRun pulled_under_pad(double pull, double weight, double friction, double st
   X_BP.p = {0, 0, kHalf + PadShape().height};
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", finger, X_BP, cube, pad, PadElementOptions{0.01, 0.02}));
-  scene.apart.emplace_back(cube, finger);
+  scene.excluded_pairs.emplace_back(cube, finger);
   SceneDrive press, drag;
   press.coordinate = 1;
   press.bias = weight;
@@ -294,7 +294,7 @@ TEST(PadElement, KeepsMomentumAndSpin) {
   X_BP.p = {1e-3, 0, 5e-3};
   scene.elements.push_back(
       std::make_shared<PadElement>("pad", finger, X_BP, cube, soft_finger(0.6, kTerms)));
-  scene.apart.emplace_back(finger, cube);
+  scene.excluded_pairs.emplace_back(finger, cube);
   set_free_velocity(scene.mechanism, cube, scene.q, {0.02, 0, -0.1}, {0, 0, 3}, scene.v);
   const SceneRun run = simulate_scene(scene, for_seconds(0.1));
   ASSERT_EQ(run.status, SceneStatus::kDone);
@@ -338,17 +338,17 @@ class LostPad final : public MovingPad {
     return out;
   }
   [[nodiscard]] std::string rung() const override { return pad_->rung(); }
-  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override {
+  [[nodiscard]] PadContact try_step(const Pose<double>& X_PO, double seconds) override {
     moved_ = kept_ + seconds;
     // The element and the scene's own have one each: the third is the first that begins anew.
-    if (number_ >= good_ || (number_ < 3 && moved_ < age_)) return pad_->move(X_PO, seconds);
+    if (number_ >= good_ || (number_ < 3 && moved_ < age_)) return pad_->try_step(X_PO, seconds);
     PadContact out;
     out.status = Status::kStalled;
     return out;
   }
-  void keep() override {
+  void accept_step() override {
     kept_ = moved_;
-    pad_->keep();
+    pad_->accept_step();
   }
   [[nodiscard]] double energy() const override { return pad_->energy(); }
   [[nodiscard]] double reach() const override { return pad_->reach(); }
@@ -436,7 +436,7 @@ TEST(PadElement, FollowsAPushAfterASleep) {
   scene.drives = {push};
   const SceneRun run = simulate_scene(scene, for_seconds(3));
   ASSERT_EQ(run.status, SceneStatus::kDone);
-  ASSERT_GT(run.cost.asleep, 0.5);
+  ASSERT_GT(run.cost.rest_time, 0.5);
   const auto& at_rest = run.samples[199].contacts;
   ASSERT_EQ(at_rest.size(), 1U);
   EXPECT_NEAR(at_rest[0].force.z(), -kMass * kG, 1e-3 * kMass * kG);
@@ -555,7 +555,7 @@ TEST(PadElement, ThrowsAFastObjectBack) {
     scene.mechanism.bodies[1].mass.mass = mass;
     scene.v[0] = -5;
     SceneOptions options = for_seconds(0.06);
-    options.sample = 0.06;
+    options.sample_interval = 0.06;
     const SceneRun run = simulate_scene(scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     EXPECT_NEAR(run.samples.back().v[0], 5, 0.02 * 5);
@@ -572,7 +572,7 @@ TEST(PadElement, StoresWhatAnElasticBounceLends) {
     SCOPED_TRACE(name);
     const MovingScene scene = cube_on_pad(pad, 2e-3, {2e-3, 0.02});
     SceneOptions options = for_seconds(0.05);
-    options.sample = 1e-3;
+    options.sample_interval = 1e-3;
     const SceneRun run = simulate_scene(scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     const double start = run.samples.front().energy.total();
@@ -609,7 +609,7 @@ TEST(PadElement, StoresAtRestWhatSpringsAndDampersDo) {
 TEST(PadElement, HasNoForceOnceAnObjectHasLeft) {
   const MovingScene scene = cube_on_pad(soft_finger(0.5, kTerms), 2e-3);
   SceneOptions options = for_seconds(0.5);
-  options.sample = 1e-3;
+  options.sample_interval = 1e-3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   for (const SceneSample& at : run.samples)
@@ -624,7 +624,7 @@ std::vector<double> stiffly_integrated(double gap, const std::vector<double>& ti
   const auto elastic = soft_finger(0)->clone();
   const auto force = [&](double depth) {
     const Pose<double> X{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + kHalf - depth}};
-    return elastic->move(X, 0).force;
+    return elastic->try_step(X, 0).force;
   };
   double left = 1;
   for (const ExponentialTerm& term : kTerms) left -= term.share;
@@ -660,7 +660,7 @@ TEST(PadElement, FallsAndRelaxesAsAStiffIntegratorSays) {
   std::vector<double> times, exact, worst;
   for (const double force_error : {0.02, 0.002, 0.0002}) {
     SceneOptions options = for_seconds(1);
-    options.sample = 0.02;
+    options.sample_interval = 0.02;
     const SceneRun run =
         simulate_scene(cube_on_pad(soft_finger(0, kTerms), kGap, {force_error, 0.02}), options);
     ASSERT_EQ(run.status, SceneStatus::kDone);

@@ -229,7 +229,7 @@ TEST(SetNumber, ChangesWhatItNames) {
   set_number(scene, "force/wind", 10);
   EXPECT_TRUE(matrix_near(scene.scene.forces[0].force, Eigen::Vector3d(6, 8, 0), 1e-14));
   set_number(scene, "step", 0.01);
-  EXPECT_EQ(scene.options.step, 0.01);
+  EXPECT_EQ(scene.options.step_length, 0.01);
 }
 
 TEST(SetNumber, RefusesWhatIsNotThere) {

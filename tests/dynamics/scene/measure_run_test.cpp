@@ -151,8 +151,8 @@ TEST(MeasureRun, WorkOfADriveIsThatOfItsSpring) {
   drive.stiffness = 50;
   scene.drives.push_back(drive);
   SceneOptions options;
-  options.seconds = 0.05;
-  options.sample = 0.001;
+  options.duration = 0.05;
+  options.sample_interval = 0.001;
   const SceneRun run = simulate_scene(scene, options);
   const RunMeasures found = measure_run(scene, run);
   const double x = run.samples.back().q[0];

@@ -19,7 +19,7 @@ namespace {
 SceneRun run_of(const char* scene, double seconds) {
   const BuiltScene built = build_scene(read_scene(kData + "/scenes/" + scene + ".toml"), {});
   SceneOptions options = built.options;
-  options.seconds = seconds;
+  options.duration = seconds;
   return simulate_scene(built.scene, options);
 }
 
@@ -38,8 +38,8 @@ TEST(RunBytes, ComeBackToTheBit) {
   EXPECT_EQ(back.cost.unsolved, 7);
   EXPECT_EQ(back.cost.steps, run.cost.steps);
   EXPECT_EQ(back.cost.worst_residual, run.cost.worst_residual);
-  ASSERT_GT(run.cost.beyond.size(), 0);
-  EXPECT_EQ(back.cost.beyond, run.cost.beyond);
+  ASSERT_GT(run.cost.limit_excess.size(), 0);
+  EXPECT_EQ(back.cost.limit_excess, run.cost.limit_excess);
   ASSERT_EQ(back.samples.size(), run.samples.size());
   EXPECT_TRUE(std::signbit(back.samples[1].q[0]));
   for (std::size_t k = 0; k < run.samples.size(); ++k) {

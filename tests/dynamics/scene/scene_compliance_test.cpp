@@ -188,7 +188,7 @@ TEST(SceneCompliance, ABushingClosesALoop) {
       "translation_damping_Ns_per_m = 2e3\n[[apart]]\nbetween = [\"right\", \"coupler\"]\n"
       "[[apart]]\nbetween = [\"left\", \"coupler\"]\n";
   BuiltScene built = build(text);
-  built.options.seconds = 0.3;
+  built.options.duration = 0.3;
   const SceneRun run = simulate_scene(built.scene, built.options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const MechanismLayout layout = layout_of(built.scene.mechanism);

@@ -41,9 +41,9 @@ TEST(SceneDrives, HaveNoLargestEffortWhereNoMotorIsKnown) {
 TEST(SceneDrives, LeaveStepsThatTheFileDoesNotStateAsTheyAre) {
   const BuiltScene plain = build_scene(sliding(""), {});
   const BuiltScene stated = build_scene(sliding("", "step_ms = 0.25\n"), {});
-  EXPECT_EQ(plain.options.step, SceneOptions{}.step);
-  EXPECT_EQ(stated.options.step, 0.25e-3);
-  EXPECT_EQ(stated.options.seconds, 2);
+  EXPECT_EQ(plain.options.step_length, SceneOptions{}.step_length);
+  EXPECT_EQ(stated.options.step_length, 0.25e-3);
+  EXPECT_EQ(stated.options.duration, 2);
 }
 
 }  // namespace

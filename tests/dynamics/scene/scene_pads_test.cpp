@@ -122,8 +122,8 @@ size_mm = [20, 20, 20]
 )" + pad_on("position_mm = [1, 0, 0]\naxis = [0, 1, 0]\nangle_deg = 90\nscale = 0.5\n"
             "rung = \"soft-finger\"\n");
   const BuiltScene built = scene_of(text);
-  ASSERT_EQ(built.scene.apart.size(), 1U);
-  EXPECT_EQ(built.scene.apart[0], (std::pair<int, int>{0, 1}));
+  ASSERT_EQ(built.scene.excluded_pairs.size(), 1U);
+  EXPECT_EQ(built.scene.excluded_pairs[0], (std::pair<int, int>{0, 1}));
   const SceneRun run = pads_run(scene_of(text + "[[drive]]\ncoordinate = \"cube\"\ntarget_mm = 0\n"
                                                 "stiffness_N_per_mm = 1000\n"
                                                 "damping_Ns_per_m = 300\n"));
@@ -154,7 +154,7 @@ TEST(ScenePads, TwoHoldAFreeBox) {
         "[[body]]\nname = \"box\"\nmass_g = 30\n[[body.shape]]\nkind = \"box\"\n"
         "size_mm = [20, 20, 20]\n";
     BuiltScene built = scene_of(text);
-    built.options.sample = 1e-3;
+    built.options.sample_interval = 1e-3;
     const SceneRun run = pads_run(built);
     ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     // It swings on its pads: forces over the last 0.4 s are its weight and its change of momentum.

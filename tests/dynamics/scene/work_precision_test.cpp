@@ -38,7 +38,7 @@ TEST(RolledAngle, RefusesWhatIsOutOfRange) {
 // of the step by fixed steps.
 TEST(WorkPrecision, ErrorsFallAsTheMethodsPromise) {
   const BuiltScene built = build_scene(read_scene(kData + "/scenes/ball_on_ball.toml"), {});
-  const double exact = rolled_angle(kStart, built.options.seconds, kApart);
+  const double exact = rolled_angle(kStart, built.options.duration, kApart);
   const int ball = body_named(built.scene.mechanism, "ball");
   const auto error = [&](const SceneSample& sample) {
     ContactStep step(built.scene);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "dynamics/stepping/energy_flow.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
 namespace thenar {
@@ -22,9 +23,9 @@ constexpr double kBodyMass = 0.2;  // of what moves [kg]
 SceneRun fixed_run(const MovingScene& scene, double seconds, double step) {
   SceneOptions options;
   options.method = SteppingMethod::kTimeStepping;
-  options.seconds = seconds;
-  options.step = step;
-  options.sample = 10 * step;
+  options.duration = seconds;
+  options.step_length = step;
+  options.sample_interval = 10 * step;
   return simulate_scene(scene, options);
 }
 
@@ -144,7 +145,7 @@ TEST(EnergyBalance, TellsWhatIsMadeByMovingSurfacesApart) {
   sample::add_body(scene, "block", primitive(ShapeKind::kBox, {0.1, 0.1, 0.02}), kBodyMass,
                    {Eigen::Matrix3d::Identity(), {0, 0, 0.01 - depth}});
   SceneOptions options;
-  options.seconds = 0.1;
+  options.duration = 0.1;
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_NEAR(whole(run).error, -kBodyMass * kG * depth, 1e-3 * kBodyMass * kG * depth);
   EXPECT_EQ(run.status, SceneStatus::kUnbalanced);
@@ -194,7 +195,7 @@ TEST(EnergyBalance, CountsAnImpactAtTheStart) {
   const double speed = 2;
   set_free_velocity(scene.mechanism, ball, scene.q, {0, 0, -speed}, {0, 0, 0}, scene.v);
   SceneOptions options;
-  options.seconds = 0.1;
+  options.duration = 0.1;
   const SceneRun run = simulate_scene(scene, options);
   const double lost = 0.5 * kBodyMass * speed * speed;
   EXPECT_NEAR(run.samples.front().energy.kinetic, lost, 1e-12);

@@ -33,9 +33,9 @@ RunMeasures measured(const MovingScene& scene, SteppingMethod method, double sec
                      double sample_time, double step = 1e-3) {
   SceneOptions options;
   options.method = method;
-  options.seconds = seconds;
-  options.sample = sample_time;
-  options.step = step;
+  options.duration = seconds;
+  options.sample_interval = sample_time;
+  options.step_length = step;
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   return measure_run(scene, run);

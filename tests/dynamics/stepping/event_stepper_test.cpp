@@ -47,7 +47,7 @@ TEST(EventStepper, LetsSleepWhatRests) {
   EventStepper stepper(at.scene, options, cost);
   stepper.resolve_initial_impacts();
   go_to(stepper, 10);
-  EXPECT_GT(cost.asleep, 9);
+  EXPECT_GT(cost.rest_time, 9);
   EXPECT_TRUE(is_still(stepper.state()));
   // Four corners bear its weight.
   double weight = 0;

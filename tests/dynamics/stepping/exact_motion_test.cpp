@@ -15,11 +15,11 @@ using sample::primitive;
 
 SceneRun run_for(const MovingScene& scene, double seconds) {
   SceneOptions options;
-  options.seconds = seconds;
+  options.duration = seconds;
   SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   EXPECT_LT(run.cost.worst_residual, 1e-11);
-  EXPECT_LT(run.cost.deepest, 2e-9);
+  EXPECT_LT(run.cost.max_penetration, 2e-9);
   return run;
 }
 
@@ -60,7 +60,7 @@ TEST(ExactMotion, PyramidsSlideWrongBetweenTheirEdges) {
       const Eigen::Vector3d along(std::cos(degree * kDegree), std::sin(degree * kDegree), 0);
       world.scene.v.tail<3>() = speed * along;
       SceneOptions options;
-      options.seconds = 0.3;
+      options.duration = 0.3;
       options.method = SteppingMethod::kTimeStepping;
       options.contacts.method = ContactMethod::kPyramid;
       options.contacts.pyramid_edges = edges;

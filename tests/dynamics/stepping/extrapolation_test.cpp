@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/error.h"
+
 namespace thenar {
 namespace {
 
@@ -34,7 +36,7 @@ TEST(Extrapolation, RaisesTheOrderByOneAColumn) {
     for (const double length : {0.4, 0.2}) {
       Extrapolation table(number(1), Extrapolation::kMaxColumns);
       table.restart();
-      for (int k = 1; k <= n; ++k) table.add_column(number(euler(length, k)));
+      for (int k = 1; k <= n; ++k) table.add_column(number(euler(length, k)), k);
       EXPECT_EQ(table.column_count(), n);
       errors.push_back(std::abs(table.highest_order().q[0] - std::exp(length)));
     }
@@ -46,7 +48,7 @@ TEST(Extrapolation, RaisesTheOrderByOneAColumn) {
 TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
   Extrapolation table(number(0), 4);
   table.restart();
-  for (int k = 1; k <= 3; ++k) table.add_column(number(5 + 2.0 / k - 3.0 / (k * k)));
+  for (int k = 1; k <= 3; ++k) table.add_column(number(5 + 2.0 / k - 3.0 / (k * k)), k);
   const auto is_five = [](const SceneState& state) {
     EXPECT_NEAR(state.q[0], 5, 1e-14);
     EXPECT_NEAR(state.v[0], -5, 1e-14);
@@ -55,7 +57,7 @@ TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
     EXPECT_NEAR(state.z[1], 15, 3e-14);
   };
   is_five(table.highest_order());
-  table.add_column(number(5 + 2.0 / 4 - 3.0 / 16));
+  table.add_column(number(5 + 2.0 / 4 - 3.0 / 16), 4);
   is_five(table.lower_order());
   is_five(table.highest_order());
 }
@@ -71,23 +73,22 @@ GrowthRun grow(int most, double tolerance) {
   double t = 0, x = 1, length = 1e-3, scale = 0;
   while (t < 10) {
     table.restart();
-    Verdict verdict = Verdict::kContinue;
     const double step = std::min(length, 10 - t);
-    for (int n = 1; verdict == Verdict::kContinue; ++n) {
-      table.add_column(number(x * euler(step, n)));
+    for (int n = 1; !table.verdict(); ++n) {
+      table.add_column(number(x * euler(step, n)), n);
       out.substeps += n;
       if (n < 2) continue;
-      verdict = table.judge(std::abs(table.highest_order().q[0] - table.lower_order().q[0]) /
-                            (x * tolerance));
+      table.judge(std::abs(table.highest_order().q[0] - table.lower_order().q[0]) /
+                  (x * tolerance));
     }
-    if (verdict == Verdict::kAccept) {
+    if (table.verdict() == Verdict::kAccept) {
       t += step;
       x = table.highest_order().q[0];
       ++scale;
     } else {
       ++out.rejected;
     }
-    length = table.next_length(step, 10, verdict);
+    length = table.plan_next(step, 10);
   }
   out.error = std::abs(x / std::exp(10.0) - 1) / tolerance / scale;
   return out;
@@ -111,10 +112,45 @@ TEST(Extrapolation, ChoosesAnOrderThatSavesWork) {
 TEST(Extrapolation, RejectsWhatIsNotANumber) {
   Extrapolation table(number(1), 3);
   table.restart();
-  for (int n = 1; n <= 3; ++n) table.add_column(number(n));
+  for (int n = 1; n <= 3; ++n) table.add_column(number(n), n);
   EXPECT_EQ(table.judge(std::nan("")), Verdict::kReject);
-  EXPECT_LE(table.next_length(1, 1, Verdict::kReject), 0.9);
-  EXPECT_GT(table.next_length(1, 1, Verdict::kReject), 0);
+  const double next = table.plan_next(1, 1);
+  EXPECT_LE(next, 0.9);
+  EXPECT_GT(next, 0);
+}
+
+// Two columns of an error of 0.01 pay best, but only in the first step: the second judges three
+// columns alone, and an error of 1/8, of order 3, becomes 1/2 in a step longer by 4^(1/3).
+TEST(Extrapolation, ForgetsTheErrorsOfTheStepBefore) {
+  Extrapolation table(number(1), 3);
+  table.restart();
+  for (int n = 1; n <= 2; ++n) table.add_column(number(n), n);
+  EXPECT_EQ(table.judge(0.01), Verdict::kAccept);
+  // Four times as long, and longer by the work of another column, 7 over 4.
+  EXPECT_NEAR(table.plan_next(1, 100), 7, 1e-14);
+  table.restart();
+  EXPECT_FALSE(table.verdict());
+  for (int n = 1; n <= 3; ++n) table.add_column(number(n), n);
+  EXPECT_EQ(table.judge(0.125), Verdict::kAccept);
+  EXPECT_NEAR(table.plan_next(1, 100), std::cbrt(4.0), 1e-14);
+}
+
+TEST(Extrapolation, RefusesCallsInAnotherOrder) {
+  Extrapolation table(number(1), 2);
+  table.restart();
+  EXPECT_THROW(table.add_column(number(1), 2), InputError);  // the first has one substep
+  EXPECT_THROW((void)table.judge(1), InputError);
+  table.add_column(number(1), 1);
+  EXPECT_THROW((void)table.judge(1), InputError);         // no order to compare with
+  EXPECT_THROW((void)table.plan_next(1, 1), InputError);  // no verdict
+  table.add_column(number(2), 2);
+  EXPECT_THROW(table.add_column(number(3), 3), InputError);  // two columns at most
+  EXPECT_EQ(table.judge(2), Verdict::kReject);
+  EXPECT_THROW((void)table.judge(0), InputError);  // the step is decided
+  (void)table.plan_next(1, 1);
+  EXPECT_THROW((void)table.plan_next(1, 1), InputError);  // and planned from
+  table.restart();
+  EXPECT_EQ(table.column_count(), 0);
 }
 
 }  // namespace

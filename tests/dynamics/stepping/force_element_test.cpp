@@ -90,8 +90,8 @@ SceneRun run_for(const MovingScene& scene, SteppingMethod method, double seconds
                  double step = 1e-3) {
   SceneOptions options;
   options.method = method;
-  options.seconds = seconds;
-  options.step = step;
+  options.duration = seconds;
+  options.step_length = step;
   return simulate_scene(scene, options);
 }
 
@@ -264,7 +264,7 @@ TEST(ForceElement, StepsThatAreNotSolvedAreTriedShorter) {
   MovingScene scene = cube_on_slide();
   scene.elements = {std::make_shared<Shortsighted>()};
   SceneOptions options;
-  options.seconds = options.sample = 0.3;  // of steps that would be 20 ms long
+  options.duration = options.sample_interval = 0.3;  // of steps that would be 20 ms long
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   EXPECT_GT(run.cost.rejected, 0);

@@ -35,7 +35,7 @@ TEST(LimitExcess, KeepsTheFarthestOfEachJoint) {
   ASSERT_EQ(passed.size(), 1U);
   EXPECT_EQ(passed[0].joint, mechanism.joints[0].name);
   EXPECT_TRUE(passed[0].slides);
-  EXPECT_NEAR(passed[0].beyond, 0.04, 1e-15);
+  EXPECT_NEAR(passed[0].excess, 0.04, 1e-15);
 }
 
 TEST(LimitExcess, JoinsWhatTwoPartsOfARunKept) {
@@ -56,16 +56,16 @@ TEST(LimitExcess, IsToldOfFixedSteps) {
   scene.q = Eigen::Vector2d(0.045, 0);
   scene.v = Eigen::Vector2d(2, 0);
   SceneOptions options;
-  options.step = 1e-2;
+  options.step_length = 1e-2;
   SceneStepper stepper(scene, options);
   double farthest = 0;
   for (int i = 0; i < 20; ++i) {
     ASSERT_TRUE(stepper.step());
     farthest = std::max(farthest, stepper.now().state.q[0] - 0.05);
   }
-  EXPECT_DOUBLE_EQ(stepper.cost().beyond[0], std::max(farthest, 0.0));
-  EXPECT_GT(stepper.cost().beyond[0], 0);
-  EXPECT_EQ(stepper.cost().beyond[1], 0);
+  EXPECT_DOUBLE_EQ(stepper.cost().limit_excess[0], std::max(farthest, 0.0));
+  EXPECT_GT(stepper.cost().limit_excess[0], 0);
+  EXPECT_EQ(stepper.cost().limit_excess[1], 0);
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ BallInHand ball_in_hand() {
   // Fingers do not meet each other, nor the palm.
   const int links = static_cast<int>(scene.mechanism.bodies.size());
   for (int i = 0; i < links; ++i)
-    for (int j = i + 1; j < links; ++j) scene.apart.emplace_back(i, j);
+    for (int j = i + 1; j < links; ++j) scene.excluded_pairs.emplace_back(i, j);
   scene.q = reference_position(scene.mechanism);
   scene.v = Eigen::VectorXd::Zero(layout_of(scene.mechanism).v);
   scene.q.tail(static_cast<Eigen::Index>(angles.size())) =

@@ -18,8 +18,8 @@ using sample::primitive;
 SceneOptions by_steps_of(double step, double seconds = 1) {
   SceneOptions options;
   options.method = SteppingMethod::kTimeStepping;
-  options.step = step;
-  options.seconds = seconds;
+  options.step_length = step;
+  options.duration = seconds;
   return options;
 }
 
@@ -53,7 +53,7 @@ void expect_same(const SceneState& a, const SceneState& b) {
 TEST(SceneStepper, MakesTheStepsOfSimulateScene) {
   const MovingScene scene = pushed_pinch();
   SceneOptions options = by_steps_of(1e-3, 0.1);
-  options.sample = 1e-3;
+  options.sample_interval = 1e-3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.samples.size(), 101u);
   SceneStepper stepper(scene, options);
@@ -239,7 +239,7 @@ MovingScene shot(double speed, double aside) {
 /// Steps of 1 ms that may be divided into so many parts at most.
 SceneOptions in_parts(int parts) {
   SceneOptions options = by_steps_of(1e-3);
-  options.shortest = options.step / parts;
+  options.min_step = options.step_length / parts;
   return options;
 }
 
@@ -250,8 +250,8 @@ TEST(SceneStepper, CountsStepsThatPassThroughSomething) {
     SceneStepper stepper(shot(120, 0), in_parts(parts));
     stepper.step();
     EXPECT_EQ(stepper.now().state.q[4] > 0.05, parts == 1);
-    EXPECT_EQ(stepper.take_cost().leaps, parts == 1 ? 1 : 0);
-    EXPECT_EQ(stepper.cost().leaps, 0);
+    EXPECT_EQ(stepper.take_cost().tunnelling_steps, parts == 1 ? 1 : 0);
+    EXPECT_EQ(stepper.cost().tunnelling_steps, 0);
   }
 }
 
@@ -262,7 +262,7 @@ TEST(SceneStepper, CountsStepsThatMayHavePassedSomething) {
     SceneStepper stepper(shot(40, 0.13), in_parts(parts));
     stepper.step();
     EXPECT_NEAR(stepper.now().state.q[4], 0.04, 1e-12);
-    EXPECT_EQ(stepper.cost().leaps, parts == 16 ? 1 : 0);
+    EXPECT_EQ(stepper.cost().tunnelling_steps, parts == 16 ? 1 : 0);
   }
 }
 

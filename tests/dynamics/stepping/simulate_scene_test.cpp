@@ -38,7 +38,7 @@ TEST(SimulateScene, BodyInFreeFlight) {
 TEST(SimulateScene, CubeOnAnInclineSticksBelowTheThreshold) {
   const sample::Incline world = sample::incline(30 * kDegree, std::tan(30.1 * kDegree));
   SceneOptions options;
-  options.seconds = 10;
+  options.duration = 10;
   const SceneRun run = simulate_scene(world.scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const Eigen::Vector3d moved = centre(world.scene, world.cube, run.samples.back()) -
@@ -50,7 +50,7 @@ TEST(SimulateScene, CubeOnAnInclineSlidesAboveTheThreshold) {
   const double slope = 30 * kDegree, friction = std::tan(29.9 * kDegree);
   const sample::Incline world = sample::incline(slope, friction);
   SceneOptions options;
-  options.seconds = 2;
+  options.duration = 2;
   const SceneRun run = simulate_scene(world.scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const double way = 0.5 * kG * (std::sin(slope) - friction * std::cos(slope)) * 4;
@@ -72,12 +72,12 @@ TEST(SimulateScene, SlidingBodyStopsWithinAFewTrials) {
   scene.friction.coefficient = 0.3;
   scene.v[3] = 0.5;
   SceneOptions options;
-  options.seconds = 0.5;
+  options.duration = 0.5;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   EXPECT_NEAR(centre(scene, cube, run.samples.back()).x(), 0.25 / (2 * 0.3 * kG), 1e-9);
   EXPECT_LE(run.cost.rejected, 5);
-  EXPECT_EQ(run.cost.coarse, 0);
+  EXPECT_EQ(run.cost.inaccurate_steps, 0);
 }
 
 // Until such a body stops, a step ends at each instant that is kept; the stop itself costs no more
@@ -88,11 +88,11 @@ TEST(SimulateScene, StopsCostFewSteps) {
     sample::Incline world = sample::incline(0, 0.3);
     world.scene.v[3] = speed;
     SceneOptions options;
-    options.seconds = 0.5;
+    options.duration = 0.5;
     const SceneRun run = simulate_scene(world.scene, options);
     const double stops = speed / (0.3 * kG), way = 0.5 * speed * stops;
     EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).x(), way, 1e-9);
-    EXPECT_LE(run.cost.steps, std::lround(std::ceil(stops / options.sample)) + 8);
+    EXPECT_LE(run.cost.steps, std::lround(std::ceil(stops / options.sample_interval)) + 8);
     EXPECT_LE(run.cost.rejected, 3);
   }
 }
@@ -107,7 +107,7 @@ TEST(SimulateScene, BallBounces) {
       sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {0.02, 0, 0}), 0.1, X);
   scene.friction.restitution = 0.8;
   SceneOptions options;
-  options.seconds = 0.6;
+  options.duration = 0.6;
   const SceneRun run = simulate_scene(scene, options);
   // Falls, then rises with 0.8 of the speed again and again.
   double left = 0.6 - std::sqrt(2 * 0.1 / kG), up = 0.8 * std::sqrt(2 * 0.1 * kG);
@@ -122,23 +122,23 @@ TEST(SimulateScene, BallBounces) {
 TEST(SimulateScene, PinchHoldsWithoutSlip) {
   const sample::Pinch world = sample::pinch({});
   SceneOptions options;
-  options.seconds = 10;
+  options.duration = 10;
   for (const bool sleep : {true, false}) {
     options.sleep = sleep;
     const SceneRun run = simulate_scene(world.scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12);
-    EXPECT_EQ(run.cost.asleep > 9, sleep);
+    EXPECT_EQ(run.cost.rest_time > 9, sleep);
   }
 }
 
 TEST(SimulateScene, PinchHoldsAtEveryStep) {
   const sample::Pinch world = sample::pinch({});
   SceneOptions options;
-  options.seconds = 10;
+  options.duration = 10;
   options.method = SteppingMethod::kTimeStepping;
   for (const double step : {1e-4, 1e-3, 5e-3, 1e-2, 2e-2}) {
-    options.step = step;
+    options.step_length = step;
     const SceneRun run = simulate_scene(world.scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12) << step;
@@ -173,7 +173,7 @@ TEST(SimulateScene, PendulumMeetsAWall) {
   X.p.x() = -0.01 - 0.05;
   sample::add_body(scene, "wall", primitive(ShapeKind::kBox, {0.1, 1, 1}), 0, X);
   SceneOptions options;
-  options.seconds = 3;
+  options.duration = 3;
   const SceneRun run = simulate_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   EXPECT_NEAR(run.samples.back().q[0], kPi / 2, 1e-7);
@@ -226,7 +226,7 @@ double swing(const sample::Pinch& world, const SceneSample& at) {
 TEST(SimulateScene, SwingingPinchKeepsItsArmAndEnergy) {
   const sample::Pinch world = swinging_pinch();
   SceneOptions options;
-  options.seconds = 10;
+  options.duration = 10;
   const SceneRun run = simulate_scene(world.scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const Eigen::Vector3d arm =
@@ -241,13 +241,13 @@ TEST(SimulateScene, SwingingPinchKeepsItsArmAndEnergy) {
 TEST(SimulateScene, TimeSteppingIsOfSecondOrder) {
   const sample::Pinch world = swinging_pinch();
   SceneOptions options;
-  options.seconds = 0.5;
+  options.duration = 0.5;
   options.tolerance = 1e-12;
   const double exact = swing(world, simulate_scene(world.scene, options).samples.back());
   options.method = SteppingMethod::kTimeStepping;
   std::vector<double> errors;
   for (const double step : {4e-3, 2e-3, 1e-3}) {
-    options.step = step;
+    options.step_length = step;
     errors.push_back(
         std::abs(swing(world, simulate_scene(world.scene, options).samples.back()) - exact));
   }
@@ -271,8 +271,8 @@ Fall fall(const ShapeSpec& shape, const Pose<double>& X_WB, double seconds) {
   out.scene.friction.coefficient = 0.5;
   SceneOptions options;
   options.method = SteppingMethod::kTimeStepping;
-  options.seconds = seconds;
-  options.step = options.sample = 1e-3;
+  options.duration = seconds;
+  options.step_length = options.sample_interval = 1e-3;
   out.run = simulate_scene(out.scene, options);
   return out;
 }
@@ -325,9 +325,9 @@ TEST(SimulateScene, FixedStepsComeToRest) {
 // 2e-16 m and ask for 4e-14 m/s, 4e-13 of the 0.1 m/s that gravity gives in a step.
 TEST(SimulateScene, FixedStepsLeaveNothingToTheNextOne) {
   SceneOptions options;
-  options.seconds = 0.3;
+  options.duration = 0.3;
   options.method = SteppingMethod::kTimeStepping;
-  options.step = 1e-2;
+  options.step_length = 1e-2;
   const SceneRun run = simulate_scene(sample::ball_in_hand().scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
   EXPECT_LE(run.cost.worst_residual, options.contacts.tolerance);
@@ -349,8 +349,8 @@ TEST(SimulateScene, FrictionOfAJointThatTurnsRound) {
   const double x = -0.5 * speed * speed / back + 0.5 * forth * rest * rest;
   for (const double sample_time : {0.01, 0.6}) {
     SceneOptions options;
-    options.seconds = seconds;
-    options.sample = sample_time;
+    options.duration = seconds;
+    options.sample_interval = sample_time;
     options.tolerance = 1e-9;
     const SceneRun run = simulate_scene(scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
@@ -372,8 +372,8 @@ TEST(SimulateScene, FrictionOfAContactThatTurnsRound) {
     world.scene.v.tail<3>() = -speed * downhill;
     const Eigen::Vector3d start = world.scene.q.tail<3>();
     SceneOptions options;
-    options.seconds = seconds;
-    options.sample = sample_time;
+    options.duration = seconds;
+    options.sample_interval = sample_time;
     options.tolerance = 1e-9;
     const SceneRun run = simulate_scene(world.scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
@@ -388,7 +388,7 @@ TEST(SimulateScene, FrictionOfAContactThatTurnsRound) {
 TEST(SimulateScene, ErrorFollowsTheTolerance) {
   const sample::Pinch world = swinging_pinch();
   SceneOptions options;
-  options.seconds = 1;
+  options.duration = 1;
   options.tolerance = 1e-13;
   const double exact = swing(world, simulate_scene(world.scene, options).samples.back());
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {

@@ -44,7 +44,7 @@ TEST(SceneStability, FingersOfAllMassesCatchTheCube) {
     grip.gap = finger > cube ? 0 : 1e-4;
     const sample::Pinch world = sample::pinch(grip);
     SceneOptions options;
-    options.seconds = 10;
+    options.duration = 10;
     const SceneRun run = simulate_scene(world.scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     // It falls while the fingers close, then not at all.
@@ -53,7 +53,7 @@ TEST(SceneStability, FingersOfAllMassesCatchTheCube) {
     EXPECT_LE(z, 1e-12);
     EXPECT_GE(z, -0.5 * kG * closing * closing * 1.01 - 1e-12);
     options.method = SteppingMethod::kTimeStepping;
-    options.step = 5e-3;
+    options.step_length = 5e-3;
     const SceneRun fixed = simulate_scene(world.scene, options);
     EXPECT_LT(centre(world.scene, world.cube, fixed.samples.back()).norm(), 1e-3);
   }
@@ -77,7 +77,7 @@ TEST(SceneStability, RandomPinchesHold) {
     grip.above = 0.015 * (2 * uniform(engine) - 1);
     const sample::Pinch world = sample::pinch(grip);
     SceneOptions options;
-    options.seconds = 1;
+    options.duration = 1;
     const SceneRun run = simulate_scene(world.scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     // It may swing about the axis of the grip, and no more.
@@ -105,14 +105,14 @@ TEST(SceneStability, ThrownBoxesLoseEnergyAndRest) {
     scene.friction = {0.4, 0, trial % 2 == 0 ? 0 : 0.5};
     scene.v << 10 * vector(), vector();
     SceneOptions options;
-    options.seconds = 2;
+    options.duration = 2;
     options.tolerance = 1e-8;
     const SceneRun run = simulate_scene(scene, options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(rise(run), 0.1 * kG * options.touch);  // to close a gap may lift it by so much
-    EXPECT_LT(run.cost.deepest, 1e-8);
+    EXPECT_LT(run.cost.max_penetration, 1e-8);
     EXPECT_EQ(run.samples.back().v.norm(), 0);
-    EXPECT_GT(run.cost.asleep, 0.5);
+    EXPECT_GT(run.cost.rest_time, 0.5);
   }
 }
 
@@ -128,7 +128,7 @@ TEST(SceneStability, StackIsQuiet) {
   }
   scene.friction.coefficient = 0.5;
   SceneOptions options;
-  options.seconds = 2;
+  options.duration = 2;
   options.sleep = false;
   const SceneRun run = simulate_scene(scene, options);
   EXPECT_EQ(run.status, SceneStatus::kDone);
@@ -145,8 +145,8 @@ TEST(SceneStability, NothingGoesThroughAThinPlate) {
       sample::add_body(scene, "pellet", primitive(ShapeKind::kSphere, {0.001, 0, 0}), 0.001, X);
   scene.v[5] = -300;
   SceneOptions options;
-  options.seconds = 0.01;
-  options.step = 1e-3;
+  options.duration = 0.01;
+  options.step_length = 1e-3;
   for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping}) {
     options.method = method;
     const SceneRun run = simulate_scene(scene, options);
@@ -190,7 +190,7 @@ TEST(SceneStability, RodJams) {
         const SceneRun run = simulate_scene(scene, {});
         EXPECT_EQ(run.status, SceneStatus::kDone);
         EXPECT_LT(rise(run), 1e-9);
-        EXPECT_LT(run.cost.deepest, 1e-8);
+        EXPECT_LT(run.cost.max_penetration, 1e-8);
         // With mu = 0.3 the tip slides on; pushed ahead with mu = 3 it stops within 10 ms.
         const auto tip_speed = [&](const SceneSample& at) {
           const Eigen::Quaterniond turn(at.q[0], at.q[1], at.q[2], at.q[3]);
@@ -215,7 +215,7 @@ TEST(SceneStability, LimitsStopAndJointsRub) {
   MechanismJoint& joint = scene.mechanism.joints[body];
   joint.upper = 0.5;
   SceneOptions options;
-  options.seconds = 3;
+  options.duration = 3;
   EXPECT_NEAR(simulate_scene(scene, options).samples.back().q[0], 0.5, 1e-9);
   // Dry friction holds it where its weight makes less of a moment:  m g d cos(q) < 0.05 N m.
   joint.upper = 1e9;
@@ -293,7 +293,7 @@ TEST(SceneStability, ForcesBeginWhenTheySay) {
       world.scene.forces.push_back(push);
       SceneOptions options;
       options.method = method;
-      options.seconds = 0.1;
+      options.duration = 0.1;
       const SceneRun run = simulate_scene(world.scene, options);
       ASSERT_EQ(run.status, SceneStatus::kDone);
       const double acceleration = force / mass - friction * sample::kG, time = 0.1 - begin;
@@ -321,8 +321,8 @@ TEST(SceneStability, AContactThatClosesAndOpensWithinAStepIsSeen) {
         sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {radius, 0, 0}), 0.1);
     scene.v[5] = speed;
     SceneOptions options;
-    options.seconds = 0.2;
-    options.sample = sample_time;
+    options.duration = 0.2;
+    options.sample_interval = sample_time;
     const SceneRun run = simulate_scene(scene, options);
     // It stops at the ceiling, as nothing bounces, and falls from there.
     const double meets = (speed - std::sqrt(speed * speed - 2 * sample::kG * gap)) / sample::kG;
@@ -337,13 +337,13 @@ TEST(SceneStability, AContactThatClosesAndOpensWithinAStepIsSeen) {
 TEST(SceneStability, StepsThatMissTheToleranceAreCounted) {
   sample::Incline world = sample::incline(0.7, 0.3);
   SceneOptions options;
-  options.seconds = 2e-6;
+  options.duration = 2e-6;
   options.tolerance = 1e-200;
   const SceneRun run = simulate_scene(world.scene, options);
-  EXPECT_GT(run.cost.coarse, 0);
+  EXPECT_GT(run.cost.inaccurate_steps, 0);
   EXPECT_DOUBLE_EQ(run.samples.back().t, 2e-6);
   options.tolerance = 1e-9;
-  EXPECT_EQ(simulate_scene(world.scene, options).cost.coarse, 0);
+  EXPECT_EQ(simulate_scene(world.scene, options).cost.inaccurate_steps, 0);
 }
 
 }  // namespace

@@ -95,9 +95,9 @@ TEST(StepControl, LengthensFreeStepsByTheirErrors) {
   (void)from.attempt(length);
   // A parabola has no error at all.
   EXPECT_GT(control.next_step_length(from.trials, length), 2 * length);
-  EXPECT_EQ(control.max_length(), from.options.longest);
+  EXPECT_EQ(control.max_length(), from.options.max_step);
   control.set_max_length(true);
-  EXPECT_EQ(control.max_length(), 5 * from.options.longest);
+  EXPECT_EQ(control.max_length(), 5 * from.options.max_step);
 }
 
 TEST(StepControl, ShortensByTheRootOfADoubt) {
@@ -105,7 +105,7 @@ TEST(StepControl, ShortensByTheRootOfADoubt) {
   StepControl control(options);
   EXPECT_NEAR(control.shorten_for_elements(4, 1e-3), 0.45e-3, 1e-18);
   EXPECT_NEAR(control.shorten_for_elements(1e6, 1e-3), 0.2e-3, 1e-18);
-  EXPECT_EQ(control.shorten_for_elements(1e6, options.shortest), options.shortest);
+  EXPECT_EQ(control.shorten_for_elements(1e6, options.min_step), options.min_step);
 }
 
 }  // namespace

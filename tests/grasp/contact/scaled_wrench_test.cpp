@@ -12,16 +12,16 @@
 namespace thenar {
 namespace {
 
-using SixOfWrench = decltype(six_of(Wrench{}));  // the moment first, unscaled
+using WrenchVector = decltype(wrench_vector(Wrench{}));  // the moment first, unscaled
 
 // Neither six numbers of another order nor a wrench that is not scaled pass for a scaled one.
-static_assert(!std::is_convertible_v<SixOfWrench, ScaledWrench>);
-static_assert(!std::is_constructible_v<ScaledWrench, SixOfWrench>);
-static_assert(!std::is_assignable_v<ScaledWrench&, SixOfWrench>);
+static_assert(!std::is_convertible_v<WrenchVector, ScaledWrench>);
+static_assert(!std::is_constructible_v<ScaledWrench, WrenchVector>);
+static_assert(!std::is_assignable_v<ScaledWrench&, WrenchVector>);
 static_assert(!std::is_convertible_v<Wrench, ScaledWrench>);
 static_assert(!std::is_constructible_v<ScaledWrench, Wrench>);
 static_assert(!std::is_convertible_v<ScaledWrench, Wrench>);
-static_assert(!std::is_convertible_v<ScaledWrench, SixOfWrench>);
+static_assert(!std::is_convertible_v<ScaledWrench, WrenchVector>);
 static_assert(!std::is_constructible_v<Wrench, ScaledWrench>);
 static_assert(!std::is_convertible_v<ScaledMotion, ScaledWrench>);
 static_assert(!std::is_convertible_v<ScaledWrench, ScaledMotion>);

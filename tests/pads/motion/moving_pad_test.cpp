@@ -53,9 +53,9 @@ std::unique_ptr<MovingPad> pad_of(Rung rung, double friction, bool relaxes, doub
 }
 
 PadContact go(MovingPad& pad, const Pose<double>& X_PO, double seconds) {
-  const PadContact touch = pad.move(X_PO, seconds);
+  const PadContact touch = pad.try_step(X_PO, seconds);
   EXPECT_EQ(touch.status, Status::kSolved) << touch.message;
-  pad.keep();
+  pad.accept_step();
   return touch;
 }
 
@@ -76,7 +76,7 @@ TEST_P(MovingPadOf, FeelsNothingUntilItTouches) {
 
 TEST_P(MovingPadOf, PushesAlongTheNormalAndForgetsAMoveThatIsNotKept) {
   const auto pad = pad_of(GetParam(), 0.5, false);
-  const PadContact deep = pad->move(plane_at(-1e-3), 0.01);
+  const PadContact deep = pad->try_step(plane_at(-1e-3), 0.01);
   ASSERT_EQ(deep.status, Status::kSolved);
   const PadContact touch = go(*pad, plane_at(-5e-4), 0.01);
   const auto other = pad_of(GetParam(), 0.5, false);
@@ -125,9 +125,9 @@ TEST_P(MovingPadOf, StiffnessIsTheSlopeOfThePush) {
   // Smaller for elements, whose forces are balanced to a millionth of a newton.
   Vector6 motion;
   motion << 1e-3, -2e-3, 3e-3, 4e-6, -5e-6, -6e-6;
-  const Vector6 before = six_of(pad->move(pressed, 0).push);
-  const Vector6 up = six_of(pad->move(moved_by(pressed, motion), 0).push) - before,
-                down = six_of(pad->move(moved_by(pressed, -motion), 0).push) - before;
+  const Vector6 before = wrench_vector(pad->try_step(pressed, 0).push);
+  const Vector6 up = wrench_vector(pad->try_step(moved_by(pressed, motion), 0).push) - before,
+                down = wrench_vector(pad->try_step(moved_by(pressed, -motion), 0).push) - before;
   const Vector6 slope = 0.5 * (up - down), seen = K * motion;
   EXPECT_LT((slope - seen).tail<3>().norm(), 0.005 * slope.tail<3>().norm())
       << "forces " << slope.tail<3>().transpose() << " by K " << seen.tail<3>().transpose();
@@ -159,7 +159,7 @@ TEST_P(MovingPadOf, CloneIsUntouched) {
   (void)go(*pad, plane_at(-8e-4), 0);
   const auto fresh = pad->clone();
   EXPECT_EQ(fresh->rung(), pad->rung());
-  EXPECT_EQ(fresh->move(plane_at(1e-3), 0.1).force, 0);
+  EXPECT_EQ(fresh->try_step(plane_at(1e-3), 0.1).force, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rungs, MovingPadOf,
@@ -178,7 +178,7 @@ TEST_P(MovingPadOf, NeverPullsThroughAThinObject) {
   };
   const auto pad = pad_of(GetParam(), 0.5, false, 1e-4, plate);
   for (const double depth : {4e-4, 8e-4, 1.2e-3, 1.6e-3, 2.4e-3}) {
-    const PadContact contact = pad->move(at(depth), 0);
+    const PadContact contact = pad->try_step(at(depth), 0);
     if (contact.status != Status::kSolved) {
       EXPECT_NE(pad->rung(), "elements") << contact.message;
       EXPECT_GT(depth, 1e-3);
@@ -186,7 +186,7 @@ TEST_P(MovingPadOf, NeverPullsThroughAThinObject) {
     }
     EXPECT_TRUE(pad->rung() == "elements" || depth < 1e-3) << depth;
     EXPECT_LT(contact.push.force.z(), 0) << depth;
-    pad->keep();
+    pad->accept_step();
   }
 }
 
@@ -213,7 +213,7 @@ TEST(LawPad, FeelsWhicheverOfTwoBallsIsDeeper) {
   for (int i = -30; i <= 30; ++i) {
     const Pose<double> X{rotation_about<double>({0, 1, 0}, 0.2 * kDegree * i),
                          {0, 0, PadShape().height + 1.6e-3}};
-    const double force = go(*pad, X, 0).force, fresh = pad->clone()->move(X, 0).force;
+    const double force = go(*pad, X, 0).force, fresh = pad->clone()->try_step(X, 0).force;
     EXPECT_NEAR(force, fresh, 1e-4 * fresh) << i;
     least = std::min(least, fresh);
   }
@@ -238,7 +238,7 @@ TEST(ReducedPads, GiveNoWorkInACycle) {
           return moved_by(plane_at(-depth), motion);
         };
         Pose<double> last = pose(deep, 0);
-        Vector6 push = six_of(go(*pad, last, 0).push);
+        Vector6 push = wrench_vector(go(*pad, last, 0).push);
         double given = 0, moved = 0;
         for (int cycle = 0; cycle < 3; ++cycle)
           for (std::size_t k = 0; k < 4; ++k) {
@@ -248,7 +248,8 @@ TEST(ReducedPads, GiveNoWorkInACycle) {
             for (int i = 1; i <= steps; ++i) {
               const double s = i / double{steps};
               const Pose<double> X = pose(d0 + s * (d1 - d0), w0 + s * (w1 - w0));
-              const Vector6 next = six_of(go(*pad, X, 0).push), motion = motion_from(last, X);
+              const Vector6 next = wrench_vector(go(*pad, X, 0).push),
+                            motion = motion_from(last, X);
               // Along the normal the law gives back what it took.
               const double work = 0.5 * (push + next).dot(motion),
                            normal = 0.5 * (push + next)[5] * motion[5];
@@ -275,7 +276,7 @@ TEST(LawPad, DoesNotSlipWhereItRolls) {
   PadContact touch;
   for (int i = 0; i < 50; ++i) {
     // About the instant's point of contact.
-    touch = pad.move(X, 0);
+    touch = pad.try_step(X, 0);
     const Pose<double> turn{rotation_about<double>({0, 1, 0}, 0.1 * kDegree), {0, 0, 0}};
     const Pose<double> there{Eigen::Matrix3d::Identity(), touch.centre};
     X = there * turn * there.inverse() * X;

@@ -121,7 +121,7 @@ TEST(FeasibleForceWords, MomentsAreInNewtonMetres) {
   request.load = TipLoad::kMoment;
   request.direction = Eigen::Vector3d(0, 0, 1);
   request.frame = DirectionFrame::kTip;
-  request.most_other = 5;
+  request.max_other = 5;
   const FeasibleForceResult answer = compute_feasible_force(request);
   const OrderedJson json = json_of(answer);
   for (const char* key : {"moment_Nm", "component_Nm", "force_N", "most_forces_N"})
@@ -184,7 +184,7 @@ TEST(PoseWords, TellOfEveryTip) {
   request.data = kData;
   request.posture.unit = PostureUnit::kTyped;
   request.vary = {{"PIP3", 0, 20, 10}};
-  const auto poses = std::get<SubjectPoses>(ask_pose(request));
+  const auto poses = std::get<SubjectPoses>(compute_poses(request));
   EXPECT_EQ(table_of(poses).rows.size(), 3u);
   EXPECT_EQ(json_of(poses)["postures"].size(), 3u);
   EXPECT_NE(text_of(poses).find("middle_x_mm"), std::string::npos);

@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-SceneResult run_of(const std::string& scene, const std::string& method) {
+SceneResult run_of(const std::string& scene, SteppingMethod method) {
   SceneRequest request;
   request.scene = kData + "/scenes/" + scene + ".toml";
   request.seconds = 0.2;
@@ -46,7 +46,7 @@ TEST(MotionAccount, NamesJointsBeyondTheirLimits) {
 
 // A ball of 100 g falls by 100 mm and would bounce with 0.8 of its speed: by fixed steps it lies.
 TEST(MotionAccount, OfFixedStepsIsInTextAndJson) {
-  const SceneResult scene = run_of("falling_ball", "time-stepping");
+  const SceneResult scene = run_of("falling_ball", SteppingMethod::kTimeStepping);
   const std::string text = text_of(scene);
   for (const char* words :
        {"energy error: ", "total energy exchanged", "impacts 98.1 mJ",
@@ -59,13 +59,13 @@ TEST(MotionAccount, OfFixedStepsIsInTextAndJson) {
   EXPECT_TRUE(json["limits_passed"].empty());
   EXPECT_THAT(scene_warnings(scene), testing::Contains(HasSubstr("restitution of up to 0.8")));
   // Between events it bounces.
-  const SceneResult events = run_of("falling_ball", "events");
+  const SceneResult events = run_of("falling_ball", SteppingMethod::kEvents);
   EXPECT_THAT(text_of(events), AllOf(HasSubstr("energy error: "), Not(HasSubstr("restitution"))));
   EXPECT_EQ(json_of(events)["restitution_ignored"], 0.0);
 }
 
 TEST(MotionAccount, SaysThatSpringsForContactsTellNoError) {
-  const SceneResult scene = run_of("pinch", "compliant-sundials");
+  const SceneResult scene = run_of("pinch", SteppingMethod::kCompliantSundials);
   EXPECT_THAT(text_of(scene), HasSubstr("energy error: not known"));
   EXPECT_TRUE(json_of(scene)["energy_error_J"].is_null());
   EXPECT_TRUE(json_of(scene)["dissipated_by_J"].is_null());
@@ -73,7 +73,7 @@ TEST(MotionAccount, SaysThatSpringsForContactsTellNoError) {
 }
 
 TEST(MotionAccount, RefusesARunWhoseEnergyDoesNotBalance) {
-  SceneResult scene = run_of("pinch", "time-stepping");
+  SceneResult scene = run_of("pinch", SteppingMethod::kTimeStepping);
   EXPECT_EQ(refusal_of(scene), "");
   scene.measures.worst->error = -0.02;
   scene.measures.worst->turned_over = 1;
@@ -84,9 +84,9 @@ TEST(MotionAccount, RefusesARunWhoseEnergyDoesNotBalance) {
 }
 
 TEST(MotionAccount, WarnsOfJointsBeyondTheirLimits) {
-  SceneResult scene = run_of("pinch", "time-stepping");
+  SceneResult scene = run_of("pinch", SteppingMethod::kTimeStepping);
   EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
-  scene.run.cost.beyond[0] = 0.25;
+  scene.run.cost.limit_excess[0] = 0.25;
   EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(HasSubstr("beyond its limit")));
   EXPECT_THAT(text_of(scene), HasSubstr("joint limits passed: "));
   EXPECT_EQ(json_of(scene)["limits_passed"].size(), 1U);

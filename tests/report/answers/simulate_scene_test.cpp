@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/scenes/write_scene_run.h"
 #include "data/io/result_file.h"
 #include "tests/data_folder.h"
 #include "tests/temporary_folder.h"
@@ -73,12 +74,12 @@ TEST(SceneAnswer, HasAResidualWhereContactProblemsWerePosed) {
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
   request.vary = {{"friction", 0.8, 0.8, 1}};
-  for (const std::string& method : names_in(kSteppingMethodNames)) {
+  for (const auto& [value, method] : kSteppingMethodNames) {
     SCOPED_TRACE(method);
-    request.method = method;
+    request.method = value;
     const SceneSweepResult sweep = *sweep_scene(request);
     const SceneResult& scene = sweep.runs.front();
-    const bool has = method == "events" || method == "time-stepping";
+    const bool has = value == SteppingMethod::kEvents || value == SteppingMethod::kTimeStepping;
     EXPECT_EQ(json_of(scene)["worst_residual"].is_number(), has);
     EXPECT_EQ(json_of(scene)["worst_residual"].is_null(), !has);
     EXPECT_EQ(text_of(scene).find("contact problem n/a") == std::string::npos, has);
@@ -93,9 +94,9 @@ TEST(SceneAnswer, ByAllMethodsHoldsThePinch) {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.1;
-  for (const std::string& method : names_in(kSteppingMethodNames)) {
+  for (const auto& [value, method] : kSteppingMethodNames) {
     SCOPED_TRACE(method);
-    request.method = method;
+    request.method = value;
     const SceneResult scene = simulate_scene(request);
     EXPECT_EQ(refusal_of(scene), "");
     EXPECT_EQ(json_of(scene)["method"], method);
@@ -122,7 +123,7 @@ TEST(SceneAnswer, WarnsOfDeepPenetration) {
   request.seconds = 0.05;
   SceneResult scene = simulate_scene(request);
   EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
-  scene.run.cost.deepest = 2e-3;
+  scene.run.cost.max_penetration = 2e-3;
   EXPECT_THAT(scene_warnings(scene),
               testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));
 }

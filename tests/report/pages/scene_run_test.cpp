@@ -12,7 +12,7 @@ namespace thenar {
 namespace {
 
 /// A pinch of 0.1 s with eleven instants.
-SceneResult pinched(const char* method = "") {
+SceneResult pinched(std::optional<SteppingMethod> method = {}) {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.1;
@@ -57,8 +57,9 @@ TEST(ScenePage, HasEightStillsOfASteadyMotion) {
 TEST(ScenePage, SaysHowFarTheMotionIsToBeBelieved) {
   for (const char* words : {"energy error", "total energy exchanged", "dissipated by",
                             "deepest overlap", "joint limits passed"})
-    EXPECT_NE(page_of(pinched("time-stepping")).dump().find(words), std::string::npos) << words;
-  SceneResult scene = pinched("time-stepping");
+    EXPECT_NE(page_of(pinched(SteppingMethod::kTimeStepping)).dump().find(words), std::string::npos)
+        << words;
+  SceneResult scene = pinched(SteppingMethod::kTimeStepping);
   scene.measures.worst->error = scene.measures.worst->turned_over = 1;
   EXPECT_NE(page_of(scene)["sections"][0]["blocks"][0].dump().find("energy does not balance"),
             std::string::npos);
@@ -68,8 +69,10 @@ TEST(ScenePage, ToldResidualsAreOfContactProblems) {
   const auto title = [](const SceneResult& scene) {
     return page_of(scene)["sections"][0]["blocks"][0]["title"].get<std::string>();
   };
-  EXPECT_EQ(title(pinched("events")).rfind("All contact problems were solved", 0), 0U);
-  EXPECT_EQ(title(pinched("compliant-sundials")).rfind("Contacts are springs", 0), 0U);
+  EXPECT_EQ(title(pinched(SteppingMethod::kEvents)).rfind("All contact problems were solved", 0),
+            0U);
+  EXPECT_EQ(title(pinched(SteppingMethod::kCompliantSundials)).rfind("Contacts are springs", 0),
+            0U);
 }
 
 }  // namespace

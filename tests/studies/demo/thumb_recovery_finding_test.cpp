@@ -21,7 +21,7 @@ ThumbRecoveryResult with_known_numbers() {
     request.data = kData;
     request.draws = 300;
     request.weighed = 400;
-    return ask_thumb_recovery(request);
+    return compute_thumb_recovery(request);
   }();
   ThumbRecoveryResult result = short_one;
   for (RecoveredAxis& axis : result.recovery.axes) {

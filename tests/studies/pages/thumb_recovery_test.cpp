@@ -24,7 +24,7 @@ const ThumbRecoveryResult& recovered() {
     request.data = kData;
     request.draws = 300;
     request.weighed = 400;
-    return ask_thumb_recovery(request);
+    return compute_thumb_recovery(request);
   }();
   return made;
 }

@@ -23,7 +23,7 @@ TEST(ThumbStudyQuestion, StopsWithWhatIsFinished) {
   request.quick = true;
   Progress progress;
   progress.stop_requested = [] { return true; };
-  const ThumbStudyResult result = ask_thumb_study(request, progress);
+  const ThumbStudyResult result = compute_thumb_study(request, progress);
   EXPECT_TRUE(result.outcome.stopped());
   EXPECT_FALSE(result.study.complete);
   EXPECT_FALSE(result.calibration);
@@ -32,7 +32,7 @@ TEST(ThumbStudyQuestion, StopsWithWhatIsFinished) {
 TEST(ThumbStudyQuestion, NeedsData) {
   ThumbStudyRequest request;
   request.data = "/nowhere";
-  EXPECT_THROW((void)ask_thumb_study(request), InputError);
+  EXPECT_THROW((void)compute_thumb_study(request), InputError);
 }
 
 }  // namespace

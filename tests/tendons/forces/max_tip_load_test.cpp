@@ -87,15 +87,15 @@ double by_enumeration(const MatrixXd& M, const VectorXd& b, const VectorXd& lowe
 double enumerated(const TipStatics& statics, const Vector3d& d, const TipLoadOptions& options) {
   const bool moment = options.load == TipLoad::kMoment;
   const Eigen::Matrix3Xd &A = moment ? statics.W : statics.J, &B = moment ? statics.J : statics.W;
-  const Index m = statics.R.rows(), others = options.most_other > 0 ? 3 : 0;
+  const Index m = statics.R.rows(), others = options.max_other > 0 ? 3 : 0;
   const auto stops = static_cast<Index>(options.stops.size());
   MatrixXd M(statics.J.cols(), 1 + others + m + stops);
   M << A.transpose() * d, (B.transpose() * options.axes).leftCols(others), -statics.R.transpose(),
       MatrixXd::Zero(statics.J.cols(), stops);
   VectorXd lower = VectorXd::Zero(M.cols()), upper = lower;
   upper(0) = kInfinity;
-  lower.segment(1, others).setConstant(-options.most_other);
-  upper.segment(1, others).setConstant(options.most_other);
+  lower.segment(1, others).setConstant(-options.max_other);
+  upper.segment(1, others).setConstant(options.max_other);
   upper.segment(1 + others, m) = statics.max_tension;
   // A stop turns its joint by itself, one way.
   for (Index k = 0; k < stops; ++k) {
@@ -111,7 +111,7 @@ class OtherLoad : public testing::TestWithParam<std::pair<TipLoad, double>> {};
 TEST_P(OtherLoad, LargestAgreesWithEnumerationOfVertices) {
   std::mt19937 rng(7);
   TipLoadOptions options;
-  std::tie(options.load, options.most_other) = GetParam();
+  std::tie(options.load, options.max_other) = GetParam();
   options.axes = Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()).matrix();
   int solved = 0;
   for (int trial = 0; trial < 12; ++trial) {
@@ -126,9 +126,9 @@ TEST_P(OtherLoad, LargestAgreesWithEnumerationOfVertices) {
     // What is found is a load that the digit bears, and the certificate says so.
     EXPECT_LE(found.largest.check.imbalance, 1e-10);
     EXPECT_LE(found.largest.check.gap, 1e-9);
-    if (std::isfinite(options.most_other)) {
+    if (std::isfinite(options.max_other)) {
       EXPECT_LE((options.axes.transpose() * found.other).cwiseAbs().maxCoeff(),
-                options.most_other + 1e-10);
+                options.max_other + 1e-10);
     }
   }
   EXPECT_GE(solved, 3);
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(OtherLoad, StopsAgreeWithEnumerationOfVertices) {
   std::mt19937 rng(7);
   TipLoadOptions options;
-  std::tie(options.load, options.most_other) = GetParam();
+  std::tie(options.load, options.max_other) = GetParam();
   options.prices = true;
   options.stops = {{1, 0.2}, {3, -kInfinity}};
   int solved = 0, limited = 0;

@@ -102,8 +102,8 @@ TEST(Overstrained, IsANetWhoseBandsBearMoreThanThreeTimesThePull) {
 
 TEST(NetDescription, StatesWhatItsTissueBears) {
   NetDescription plan = read_net(kData + "/nets/extensor_hood.toml");
-  EXPECT_EQ(plan.bands.front().most_strain, 0.1);
-  plan.bands.front().most_strain = 0.2;
+  EXPECT_EQ(plan.bands.front().max_strain, 0.1);
+  plan.bands.front().max_strain = 0.2;
   const Subject subject = read_subject(kData + "/subjects/human_hand.toml");
   const BuiltNet built = build_net(subject, build_tendon_digit(subject, "ring"), plan);
   EXPECT_EQ(built.net.bands.front().max_strain, 0.2);
