@@ -954,6 +954,27 @@ class Rerun(unittest.TestCase):
             (folder / "box.off").unlink()
             self.assertIn("input 'box.off' is gone", run("rerun", answer, "--print").stdout)
 
+    def test_finds_its_inputs_unchanged(self):
+        # Data folders hold the subject of a digit, and two files of the types of thumbs; nets are built in. A request
+        # is a file, and so are contacts.
+        motion = ("--excitation", "FDP=0.1", "--seconds", "0.01")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "c.toml").write_text('question = "contacts"\ncontacts = "two_soft_fingers"\n')
+            for count, words in (
+                    (1, ("tendon", "solve", "synek2019_middle", "--tension", "EDC=2", "-o", "a.json")),
+                    (1, ("tendon", "solve", "synek2019_middle", "--net", "winslow", "--tension", "EDC=2", "-o", "a.html")),
+                    (2, ("tendon", "solve", "synek2019_middle", "--net", ROOT / "data/nets/winslow.toml", "--tension",
+                         "EDC=2", "-o", "a.json")),
+                    (1, ("simulate", "an_chao_index", "--net", "chao_an", *motion, "-o", "a.h5")),
+                    (2, ("study", "thumb-types", "--draws", "10", "-o", "a.json")),
+                    (2, ("ask", "c.toml", "-o", "a.json"))):
+                done = subprocess.run([PROGRAM, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = run("rerun", folder / words[-1], "--print").stdout
+                self.assertIn(f"inputs: {count}, unchanged", told)
+                self.assertNotIn("is gone", told)
+
     def test_refuses_what_records_no_command(self):
         self.assertIn("records no command", complaint("rerun", H01))
 
