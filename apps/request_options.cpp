@@ -241,8 +241,8 @@ InputError option_error(const std::vector<Param>& params, const InputError& erro
 void ask_and_deliver(const TypedQuestion& typed) {
   const Question& question = *typed.question;
   try {
-    const Answer answer =
-        question.ask(typed.request, "", terminal_progress("what is done is kept"));
+    Answer answer = question.ask(typed.request, "", terminal_progress("what is done is kept"));
+    if (typed.allow_unconverged) answer.refusal.clear();
     set_request(question.name, answer.request);
     deliver(typed.outputs, answer);
   } catch (const InputError& error) {

@@ -877,6 +877,24 @@ class WrongKinds(unittest.TestCase):
                 self.assertIn(wanted, complaint(*words))
 
 
+class Refused(unittest.TestCase):
+    def test_fits_that_have_not_converged_and_what_they_predict(self):
+        # One evaluation certifies no minimum, by a file of a request as by the command; the answer is printed.
+        with tempfile.TemporaryDirectory() as name:
+            request, fit = pathlib.Path(name) / "r.toml", pathlib.Path(name) / "fit.h5"
+            request.write_text('question = "fit"\nexperiments = ["synek2019_H01"]\nsubject = "an_chao_middle"\n'
+                               f'max_evaluations = 1\noutput = "{fit}"\n')
+            words = ("fit", "synek2019_H01", "--subject", "an_chao_middle", "--max-evaluations", "1")
+            for result in (run("ask", request, "--json"), run(*words, "--json")):
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("the fit has NOT converged", result.stderr)
+                self.assertNotEqual(json.loads(result.stdout)["status"], "converged")
+            predict = ("predict", fit, "synek2019_H01", "--json")
+            self.assertEqual(run(*predict).returncode, 1)
+            self.assertIn("do not use these forces", run(*predict).stderr)
+            self.assertEqual(run(*predict, "--allow-unconverged").returncode, 0)
+
+
 class Rerun(unittest.TestCase):
     def test_writes_the_same_answer_again(self):
         with tempfile.TemporaryDirectory() as folder:
