@@ -17,7 +17,7 @@ using Kind = Schema::Kind;
 
 constexpr double kMaxWhole = 1e15;  // Largest whole number that is typed; all below are doubles
 
-/// A plain number. @param what  how messages call it: "an angle [deg]"
+/// A plain decimal number. @param what  how messages call it: "an angle [deg]"
 /// @throws InputError if the whole text is not one finite number.
 double parse_number(const std::string& text, const std::string& what) {
   std::size_t read = 0;
@@ -27,8 +27,9 @@ double parse_number(const std::string& text, const std::string& what) {
   } catch (const std::exception&) {
     read = 0;  // not a number, or out of range
   }
-  require(read > 0 && read == text.size() && std::isfinite(value), "wanted {}, got '{}'", what,
-          text);
+  const bool hexadecimal = text.find_first_of("xX") != std::string::npos;
+  require(read > 0 && read == text.size() && std::isfinite(value) && !hexadecimal,
+          "wanted {}, got '{}'", what, text);
   return value;
 }
 

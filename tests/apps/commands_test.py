@@ -878,6 +878,10 @@ class WrongKinds(unittest.TestCase):
 
 
 class Refused(unittest.TestCase):
+    def test_numbers_that_are_not_decimal(self):
+        for typed in ("0x10", "0X1p4"):
+            self.assertIn(f"got '{typed}'", complaint("tip-force", SYNEK, "--tension", f"FDP={typed}"))
+
     def test_fits_that_have_not_converged_and_what_they_predict(self):
         # One evaluation certifies no minimum, by a file of a request as by the command; the answer is printed.
         with tempfile.TemporaryDirectory() as name:
