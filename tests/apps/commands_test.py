@@ -877,6 +877,16 @@ class WrongKinds(unittest.TestCase):
                 self.assertIn(wanted, complaint(*words))
 
 
+class Strengths(unittest.TestCase):
+    def test_are_explained_as_they_are_stated(self):
+        stated = {muscle["name"]: muscle["max_force_N"]
+                  for muscle in tomllib.loads(pathlib.Path(HUMAN).read_text())["muscle"] if "max_force_N" in muscle}
+        rows = ask("explain", HUMAN, "--digit", "thumb")["muscles"]["rows"]
+        for row in rows:
+            self.assertEqual(row["F0_N"], stated[row["muscle"]])
+        self.assertIn(16.765, [row["F0_N"] for row in rows])
+
+
 class Refused(unittest.TestCase):
     def test_numbers_that_are_not_decimal(self):
         for typed in ("0x10", "0X1p4"):
