@@ -17,9 +17,12 @@ namespace {
 PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
   PredictResult result{request, {}, fit.inputs, fit.run, fit.problem.digit().fidelity, {}, {}};
   result.outcome.warn(checksum_warnings(request.fit));
-  if (fit.solution.status != Status::kSolved)
+  // The forces of a point that is no minimum are computed, but not to be used.
+  if (!fit.solution.converged()) {
+    result.outcome.status = Status::kStalled;
     result.outcome.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}",
                                                   request.fit, convergence_word(fit.solution)));
+  }
   result.outcome.warn(path_cautions(fit.inputs));
   return result;
 }

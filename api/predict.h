@@ -45,7 +45,8 @@ struct PredictedExperiment {
 
 struct PredictResult {
   PredictRequest request;           // request; where draws predict, its fit is the posterior
-  Outcome outcome;                  // warnings: of the fit and of each experiment
+  Outcome outcome;                  // stalled: the fit has not converged; warnings: of the fit and
+                                    // of each experiment
   FitInputs inputs;                 // inputs of the fit
   RunRecord fitted_by;              // the run that wrote the file; empty in older files
   Fidelity fidelity;                // fidelity of the digit

@@ -100,6 +100,10 @@ Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file,
   wanted.gap = request.gap;
   const double sharp = kPolytopeGap * largest_wrench_norm(set);
   if (is_polytope(set) && sharp > 0) wanted.gap = std::min(request.gap, sharp);
+  // The bounds of a curved set cannot meet more closely than rounding allows.
+  const double least = is_polytope(set) ? 0 : min_gap(set, request.norm);
+  require_field("gap", request.gap >= least, "wanted a gap of at least {:.2g}, got {}", least,
+                request.gap);
   Epsilon found = epsilon(set, wanted);
   found.converged = found.upper - found.lower <= request.gap;
   return found;

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "base/provenance.h"
 #include "questions/request_file.h"
 
 namespace thenar {
@@ -33,7 +34,13 @@ void run_ask(const AskArguments& options) {
     return print_answer(request_template(question_named(options.request)));
   require_no_page(options.request);
   const RequestFile request = read_request(options.request);
-  const Answer answer = request.ask(terminal_progress("what is done is kept"));
+  Answer answer = request.ask(terminal_progress("what is done is kept"));
+  // The request is an input as well.
+  answer.files = [files = answer.files, path = options.request] {
+    FileDigests all = digests_of({path});
+    if (files) all.merge(files());
+    return all;
+  };
   set_request(request.question->name, answer.request);
   deliver(options.outputs, answer);
 }

@@ -70,7 +70,7 @@ void fit_best(FitArguments& options) {
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
   if (result.outcome.stopped()) throw Stopped("stopped; the file holds the best point so far");
-  complain(fit_complaint(result, options.allow_unconverged), options.allow_unconverged);
+  complain(refusal_of(result), options.allow_unconverged);
 }
 
 /// Checks that all requested draws were made. @throws Stopped otherwise
@@ -112,8 +112,7 @@ void sample_posterior_of(FitArguments& options) {
   print_warnings(result->outcome.warnings);
   print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
-  complain(convergence_complaint(result->run, options.allow_unconverged),
-           options.allow_unconverged);
+  complain(convergence_complaint(result->run), options.allow_unconverged);
 }
 
 void run_fit(FitArguments& options) {

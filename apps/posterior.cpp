@@ -26,7 +26,7 @@ struct PosteriorArguments {
 
 void warn_of(const PosteriorRun& run, bool allowed) {
   print_warnings(convergence_cautions(run));
-  complain(convergence_complaint(run, allowed), allowed);
+  complain(convergence_complaint(run), allowed);
 }
 
 void summary(const PosteriorArguments& options) {

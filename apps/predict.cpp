@@ -9,10 +9,13 @@
 namespace thenar {
 
 void add_predict(CLI::App& app) {
-  add_question_command(app, {"predict",
-                             "predict",
-                             {"fit synek2019_H01 --subject an_chao_middle -o out/fit.h5",
-                              "predict out/fit.h5 synek2019_B01 --report out/predicted.html"}});
+  const auto [command, typed] =
+      add_question_command(app, {"predict",
+                                 "predict",
+                                 {"fit synek2019_H01 --subject an_chao_middle -o out/fit.h5",
+                                  "predict out/fit.h5 synek2019_B01 --report out/predicted.html"}});
+  command->add_flag("--allow-unconverged", typed->allow_unconverged,
+                    "Exit without error though the fit has not converged");
 }
 
 }  // namespace thenar

@@ -17,7 +17,7 @@ using Kind = Schema::Kind;
 
 constexpr double kMaxWhole = 1e15;  // Largest whole number that is typed; all below are doubles
 
-/// A plain number. @param what  how messages call it: "an angle [deg]"
+/// A plain decimal number. @param what  how messages call it: "an angle [deg]"
 /// @throws InputError if the whole text is not one finite number.
 double parse_number(const std::string& text, const std::string& what) {
   std::size_t read = 0;
@@ -27,8 +27,9 @@ double parse_number(const std::string& text, const std::string& what) {
   } catch (const std::exception&) {
     read = 0;  // not a number, or out of range
   }
-  require(read > 0 && read == text.size() && std::isfinite(value), "wanted {}, got '{}'", what,
-          text);
+  const bool hexadecimal = text.find_first_of("xX") != std::string::npos;
+  require(read > 0 && read == text.size() && std::isfinite(value) && !hexadecimal,
+          "wanted {}, got '{}'", what, text);
   return value;
 }
 
@@ -241,8 +242,8 @@ InputError option_error(const std::vector<Param>& params, const InputError& erro
 void ask_and_deliver(const TypedQuestion& typed) {
   const Question& question = *typed.question;
   try {
-    const Answer answer =
-        question.ask(typed.request, "", terminal_progress("what is done is kept"));
+    Answer answer = question.ask(typed.request, "", terminal_progress("what is done is kept"));
+    if (typed.allow_unconverged) answer.refusal.clear();
     set_request(question.name, answer.request);
     deliver(typed.outputs, answer);
   } catch (const InputError& error) {

@@ -60,6 +60,7 @@ struct TypedQuestion {
   const Question* question = nullptr;
   Json request = Json::object();
   Outputs outputs;
+  bool allow_unconverged = false;  // accept an answer that must not be used
 };
 
 /// Answers a question and delivers the answer. @throws as Question::ask, naming the wrong option

@@ -102,8 +102,12 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 void complain(const std::string& complaint, bool allowed) {
   if (complaint.empty()) return;
-  if (!allowed) throw Error(complaint);
-  print_warnings({complaint});
+  if (allowed) return print_warnings({complaint});
+  // Name the option at the end of the first line, before the colon of a list.
+  std::string text = complaint;
+  text.insert(std::min(text.find(":\n"), text.size()),
+              " (--allow-unconverged to exit without error)");
+  throw Error(text);
 }
 
 void throw_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "base/spatial.h"
 
 namespace thenar {
@@ -207,9 +208,12 @@ std::string joint_words(const std::string& joint) {
   while (end < joint.size() && std::isupper(static_cast<unsigned char>(joint[end])) != 0) ++end;
   std::size_t rest = end;
   while (rest < joint.size() && std::isdigit(static_cast<unsigned char>(joint[rest])) != 0) ++rest;
+  // The number is that of the digit in names of anatomy alone.
+  const std::string place = joint.substr(0, end);
+  const bool known = contains(std::vector<std::string>{"CMC", "MCP", "PIP", "DIP", "IP"}, place);
   const auto motion = motions.find(joint.substr(rest));
-  if (end == 0 || rest == end || motion == motions.end()) return joint;
-  return joint.substr(0, end) + motion->second;
+  if (!known || rest == end || motion == motions.end()) return joint;
+  return place + motion->second;
 }
 
 std::string meaning_of(const std::string& name) { return meaning(name, nullptr); }

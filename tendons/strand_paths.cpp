@@ -190,8 +190,8 @@ class FittedStrands : public StrandPaths {
                     worst_fit_.empty() ? TendonStatus::kValid : TendonStatus::kApproximate};
     for (std::size_t k = 0; k < paths_.size(); ++k)
       arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
-    // Warn outside the ranges, where they are not valid.
-    for (Eigen::Index j = 0; j < q.size(); ++j)
+    // Warn outside the ranges, where they are not valid; constant arms have none.
+    for (Eigen::Index j = 0; !paths_.empty() && j < q.size(); ++j)
       if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
         arms.status = TendonStatus::kOutOfRange;
         arms.warning =

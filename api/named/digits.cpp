@@ -319,7 +319,7 @@ SourceText net_source(const std::string& name_or_path) {
   require_field("net", found != internal::nets().end(),
                 "there is no net '{}', nor a file of that name{} nets: {}", name_or_path,
                 hint_before_list(name_or_path, known_nets()), listed(known_nets()));
-  return {found->first, std::string(found->second)};
+  return {"built-in " + std::string(found->first), std::string(found->second)};
 }
 
 std::string requested_net(const std::optional<Hood>& hood, const std::string& net) {

@@ -128,7 +128,8 @@ inline constexpr double kMaxTension = 1e4;
 [[nodiscard]] std::vector<std::string> known_nets();
 
 /// Returns the text of a net given by one of these names or by the path of its file, with that path
-/// or "NAME.toml". @throws InputError listing the names; DataError if the file cannot be read.
+/// or "built-in NAME.toml". @throws InputError listing the names; DataError if the file cannot be
+/// read.
 [[nodiscard]] SourceText net_source(const std::string& name_or_path);
 
 /// Returns the net itself. @throws as net_source(); DataError also if the content is wrong.

@@ -154,6 +154,10 @@ WorldSpec read_world_at(const std::string& path, const std::string& data) {
   return read_world(path, data_for(fs::path(path).parent_path().string(), data));
 }
 
+SceneSpec read_scene_at(const std::string& path, const std::string& data) {
+  return read_scene(path, data_for(fs::path(path).parent_path().string(), data));
+}
+
 std::string shipped_name(const std::string& file, const std::string& folder,
                          const FileDigests& files) {
   const fs::path given(file);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/inside_folder.h"
+#include "data/io/scene/scene.h"
 #include "data/io/world/world.h"
 
 namespace thenar {
@@ -28,6 +29,8 @@ struct PortableWorld {
 /// Reads a world, whose hands and objects may be given by name.
 /// @param data  folder with robots/, objects/ ..; empty: the usual ones, and those near the world
 [[nodiscard]] WorldSpec read_world_at(const std::string& path, const std::string& data);
+/// Reads a scene in the same way.
+[[nodiscard]] SceneSpec read_scene_at(const std::string& path, const std::string& data);
 
 /// Returns the name by which every installation finds a file: "mug" of
 /// THENAR/data/objects/mug.toml; "" for a file that does not come with thenar.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
@@ -85,9 +86,12 @@ void add_posterior_record(const std::string& path, RecordedRun& out) {
   out.version = texts["version_thenar"];
 }
 
-/// Returns true if the name of a missing input names a file rather than built-in data.
+/// Returns true if the name of a missing input names a file rather than built-in data. Older
+/// runs record a built-in net as "NAME.toml".
 bool was_file(const std::string& name) {
-  return name.rfind("built-in ", 0) != 0 && name.find_first_of("/.") != std::string::npos;
+  const auto is_net = [&](const std::string& net) { return name == net + ".toml"; };
+  return name.rfind("built-in ", 0) != 0 && name.find_first_of("/.") != std::string::npos &&
+         !any_of(known_nets(), is_net);
 }
 
 /// A sentence for each input that is another file today; names that are no files are left out.

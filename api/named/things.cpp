@@ -91,7 +91,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "robot") return read_robot_of(path, file.format);
   if (file.kind == "object" && file.format == "TOML") return read_object(path);
   if (file.kind == "world" && file.format == "TOML") return read_world_at(path, "");
-  if (file.kind == "scene") return read_scene(path);
+  if (file.kind == "scene") return read_scene_at(path, "");
   if (file.kind == "pad") return read_pad(path);
   if (file.kind == "laws of a pad") return read_laws(path);
   if (file.kind == "presses of a pad") return read_pad_data(path);

@@ -8,6 +8,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "api/named/hands.h"
+#include "api/named/portable_world.h"
 #include "api/named/things.h"
 #include "api/named/worlds.h"
 #include "base/error.h"
@@ -104,7 +105,7 @@ OpenScene open_scene(const SceneSpec& scene, const std::string& data,
 
 RequestedScene open_requested_scene(const SceneRequest& request) {
   const std::string file = requested_file("scene", "scene", request.scene, "scenes", request.data);
-  return open_requested_scene(read_scene(file), request);
+  return open_requested_scene(read_scene_at(file, request.data), request);
 }
 
 RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request) {

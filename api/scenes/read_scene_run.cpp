@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "api/named/data_folders.h"
+#include "api/named/worlds.h"
 #include "api/scenes/write_scene_run.h"
 #include "base/error.h"
 #include "base/outside_path.h"
@@ -106,7 +107,8 @@ class RunReader {
   /// @return whether the bodies are those of the file
   bool build_from(const std::string& text, const std::string& scene, bool on_pins) {
     // Compliances become pins if the run was made so.
-    SceneSpec spec = parse_scene(text, scene);
+    SceneSpec spec =
+        parse_scene(text, scene, data_for(fs::path(scene).parent_path().string(), data_));
     if (on_pins && spec.compliances.empty()) return false;
     if (on_pins) spec.compliances.clear();
     // Rungs of pads change no body; this one needs no file but the scene's.

@@ -105,8 +105,8 @@ class TimeTableReader {
 TimeTable parse_time_table(const std::string& text, const std::string& path,
                            const std::string& what, const std::vector<std::string>* known) {
   TimeTableReader reader(path, what, known);
-  // The first row that is no comment is the header.
-  std::istringstream in(text);
+  // The first row that is no comment is the header; a byte order mark may lead.
+  std::istringstream in(text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text);
   int line = 0;
   for (std::string row; std::getline(in, row);) {
     ++line;

@@ -240,6 +240,10 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   return beside;
 }
 
+double min_gap(const WrenchSet& set, ForceNorm limit) {
+  return 10 * SupportFunction(set, limit).rounding();
+}
+
 }  // namespace thenar
 
 namespace thenar::internal {

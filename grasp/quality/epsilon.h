@@ -49,6 +49,10 @@ struct [[nodiscard]] Epsilon {
 /// Source: [Ferrari1992] for epsilon; docs/theory/grasp_quality.md for the bounds.
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options = {});
 
+/// Returns the smallest gap that bounds of a curved set can reach: a proof for a gap g leaves the
+/// bounds apart by 0.9 g and the rounding r of a support, so that  g >= 10 r  [1].
+[[nodiscard]] double min_gap(const WrenchSet& set, ForceNorm limit);
+
 }  // namespace thenar
 
 namespace thenar::internal {

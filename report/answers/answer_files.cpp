@@ -58,9 +58,10 @@ FileDigests files_of(const Imported& imported) {
                 file_at(imported.request.file));
 }
 
+FileDigests files_of(const ContactQualityResult& result) { return file_at(result.contacts); }
 FileDigests files_of(const std::vector<ContactQualityResult>& results) {
   FileDigests files;
-  for (const ContactQualityResult& result : results) files.merge(file_at(result.contacts));
+  for (const ContactQualityResult& result : results) files.merge(files_of(result));
   return files;
 }
 

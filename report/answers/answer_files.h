@@ -41,6 +41,7 @@ template <typename Result>
 [[nodiscard]] FileDigests files_of(const ThingExplained& explained);
 [[nodiscard]] FileDigests files_of(const Validation& validation);
 [[nodiscard]] FileDigests files_of(const Imported& imported);
+[[nodiscard]] FileDigests files_of(const ContactQualityResult& result);
 [[nodiscard]] FileDigests files_of(const std::vector<ContactQualityResult>& results);
 [[nodiscard]] FileDigests files_of(const SceneResult& scene);
 [[nodiscard]] FileDigests files_of(const TendonSolveResult& solution);

@@ -292,16 +292,15 @@ std::string judged_words(const ChosenSettings& chosen) {
   return chosen.by.size() > 1 ? "postures and specimens left out" : "postures left out";
 }
 
-std::string fit_complaint(const FitResult& result, bool allowed) {
+std::string refusal_of(const FitResult& result) {
   const Solution& found = result.fit.solution;
-  if (found.converged()) return "";
+  if (found.converged() || result.outcome.stopped()) return "";
   std::string text =
       fmt::format("the fit has NOT converged: {} ({})", convergence_word(found), found.message);
   const bool told = found.message.find("is left") != std::string::npos;
   if (!told && std::isfinite(found.newton_step) && found.newton_step > 0)
     text += fmt::format("; a step of {:.2g} posterior sds is left", found.newton_step);
-  text += "; the best point found is given";
-  return allowed ? text : text + " (--allow-unconverged to exit without error)";
+  return text + "; the best point found is given";
 }
 
 Fields fields_of(const FitResult& result) {

@@ -20,9 +20,9 @@ namespace thenar {
 /// estimate and sd in prior sds.
 [[nodiscard]] Table table_of(const FitResult& result);
 
-/// Returns the reason why the best point must not be used; "" if the fit has converged.
-/// @param allowed  the user accepts an unconverged fit
-[[nodiscard]] std::string fit_complaint(const FitResult& result, bool allowed);
+/// Returns the reason why the best point must not be used; "" if the fit has converged, or was
+/// stopped.
+[[nodiscard]] std::string refusal_of(const FitResult& result);
 
 /// Returns the data by which settings were chosen: "postures and specimens left out".
 [[nodiscard]] std::string judged_words(const ChosenSettings& chosen);

@@ -45,6 +45,14 @@ std::string banner_text(const PosteriorRun& run) {
   return text + line + "\n";
 }
 
+/// "the chains have NOT converged; do not use these draws:" and the reasons; "" if they have.
+std::string unconverged_words(const PosteriorRun& run) {
+  if (run.convergence.warnings.empty()) return "";
+  std::string text = "the chains have NOT converged; do not use these draws:";
+  for (const std::string& reason : run.convergence.warnings) text += "\n  * " + reason;
+  return text;
+}
+
 std::string figures_text(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   std::string text = fmt::format(
@@ -372,13 +380,13 @@ std::vector<Fields> fields_of(const PosteriorPrediction& result) {
 
 Table table_of(const PosteriorPrediction& result) { return table_of(result.predicted); }
 
-std::string convergence_complaint(const PosteriorRun& run, bool allowed) {
-  if (run.convergence.warnings.empty()) return "";
-  std::string text = "the chains have NOT converged; do not use these draws";
-  if (!allowed) text += " (--allow-unconverged to exit without error)";
-  text += ":";
-  for (const std::string& reason : run.convergence.warnings) text += "\n  * " + reason;
-  return text + "\nWhat may help:" + advice_text(advise(run));
+std::string refusal_of(const PosteriorResult& result) {
+  return result.outcome.stopped() ? "" : unconverged_words(result.run);
+}
+
+std::string convergence_complaint(const PosteriorRun& run) {
+  const std::string text = unconverged_words(run);
+  return text.empty() ? "" : text + "\nWhat may help:" + advice_text(advise(run));
 }
 
 std::vector<std::string> noise_cautions(const PosteriorResult& result) {

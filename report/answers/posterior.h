@@ -24,10 +24,13 @@ namespace thenar {
 [[nodiscard]] std::vector<Fields> fields_of(const PosteriorPrediction& result);
 [[nodiscard]] Table table_of(const PosteriorPrediction& result);
 
-/// Returns the reason why the draws must not be used, with remedies and commands; "" if they may be
+/// Returns the reasons why the draws must not be used; "" if they may be used, or sampling was
+/// stopped.
+[[nodiscard]] std::string refusal_of(const PosteriorResult& result);
+
+/// Returns the reasons why draws must not be used, with remedies and commands; "" if they may be
 /// used.
-/// @param allowed  the user accepts unconverged draws
-[[nodiscard]] std::string convergence_complaint(const PosteriorRun& run, bool allowed);
+[[nodiscard]] std::string convergence_complaint(const PosteriorRun& run);
 
 /// Returns cautions about converged draws, with remedies; often empty.
 [[nodiscard]] std::vector<std::string> convergence_cautions(const PosteriorRun& run);

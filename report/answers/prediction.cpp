@@ -83,6 +83,12 @@ Fields experiment_fields(const PredictedExperiment& one) {
 
 }  // namespace
 
+std::string refusal_of(const PredictResult& result) {
+  if (result.outcome.status != Status::kStalled) return "";
+  return fmt::format("the fit in '{}' has NOT converged; do not use these forces",
+                     result.request.fit);
+}
+
 std::string component_names(const Experiment& experiment) {
   std::string names;
   for (int i = 0; i < 3; ++i)

@@ -21,6 +21,9 @@ namespace thenar {
 /// components in the order of the column "components".
 [[nodiscard]] Table table_of(const PredictResult& result);
 
+/// Returns the reason why the forces must not be used: the fit has not converged; else "".
+[[nodiscard]] std::string refusal_of(const PredictResult& result);
+
 /// Returns the directions of the three components of a force: "proximal dorsal -radial".
 [[nodiscard]] std::string component_names(const Experiment& experiment);
 

@@ -27,7 +27,11 @@ void require_short(const Json& params) {
 
 OrderedJson reply_of(const Answer& answer) {
   OrderedJson reply = answer.json(UnitSystem::kSi);
-  if (!answer.refusal.empty()) reply["refusal"] = answer.refusal;
+  if (answer.refusal.empty()) return reply;
+  // A list has the refusal in each of its objects.
+  if (reply.is_object()) reply["refusal"] = answer.refusal;
+  if (reply.is_array())
+    for (OrderedJson& each : reply) each["refusal"] = answer.refusal;
   return reply;
 }
 

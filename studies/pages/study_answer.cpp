@@ -135,6 +135,12 @@ std::string text_of(const ThumbStudyResult& result) {
          (types.rows.empty() ? "" : titled("Which type of thumb it may be", types));
 }
 
+FileDigests files_of(const ThumbStudyResult& result) {
+  const ThumbStudyInputs& inputs = result.study.inputs;
+  return source_digests(
+      {inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed, inputs.criteria});
+}
+
 std::string study_complaint(const ThumbStudyResult& result) {
   const std::size_t doubtful = unconverged_fits(result.study);
   if (doubtful == 0) return "";

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/provenance.h"
 #include "report/fields.h"
 #include "studies/questions/study.h"
 
@@ -19,6 +20,9 @@ namespace thenar {
 /// Returns a table with a row for each fit: errors of directions and forces, of tasks, elpd, modes,
 /// R-hat.
 [[nodiscard]] Table table_of(const ThumbStudyResult& result);
+
+/// Returns the digests of the files of the true thumb and of those that were fitted.
+[[nodiscard]] FileDigests files_of(const ThumbStudyResult& result);
 
 /// Returns why the study is not reliable: "3 of 12 fits have NOT converged; they are marked .."; ""
 /// if it is.

@@ -89,6 +89,10 @@ Fields fields_of(const ThumbTypesResult& result) {
   return fields;
 }
 
+FileDigests files_of(const ThumbTypesResult& result) {
+  return source_digests({result.types.inputs.variability, result.types.inputs.subject});
+}
+
 Table share_table(const ThumbTypesResult& result) {
   Table table{{"type", "meaning", "draws", "share_percent", "from_percent", "to_percent"}};
   const ThumbTypes& types = result.types;

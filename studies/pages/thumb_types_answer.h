@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/provenance.h"
 #include "report/fields.h"
 #include "studies/questions/study.h"
 
@@ -17,6 +18,9 @@ namespace thenar {
 
 /// Returns a table with a row for each type and axis: mean and sd of theta, d, a and alpha.
 [[nodiscard]] Table table_of(const ThumbTypesResult& result);
+
+/// Returns the digests of the files that the thumbs were drawn from.
+[[nodiscard]] FileDigests files_of(const ThumbTypesResult& result);
 
 /// Returns a table with a row for each type: draws, share and its 95 % interval.
 [[nodiscard]] Table share_table(const ThumbTypesResult& result);

@@ -146,8 +146,10 @@ std::vector<NormalShares> normal_shares(const MeanThumb& mean,
   for (std::size_t i = 0; i + 1 < mean.axes.size(); ++i) {
     NormalShares shares{mean.spread[i].joint, mean.spread[i + 1].joint, {}};
     for (std::size_t k = 0; k < 3; ++k)
-      for (const ThumbDraw& draw : draws)
-        if (draw.normals[i][k]) shares.toward[k] += 1.0 / static_cast<double>(draws.size());
+      shares.toward[k] = static_cast<double>(std::count_if(
+                             draws.begin(), draws.end(),
+                             [&](const ThumbDraw& draw) { return draw.normals[i][k]; })) /
+                         static_cast<double>(draws.size());
     out.push_back(shares);
   }
   return out;

@@ -3,6 +3,7 @@
 #include "api/quality.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,16 @@ ContactQualityRequest pinch(const std::string& more) {
     {"position": [1, 0, 0], "normal": [-1, 0, 0], "friction": 0.5}])" +
                  more + "}";
   return request;
+}
+
+// Wrenches of unit forces are longer than 1; a proof needs 10 roundings of 32 eps each.
+TEST(ContactQualityResult, HasNoGapBelowRounding) {
+  ContactQualityRequest request = pinch("");
+  request.gap = 320 * std::numeric_limits<double>::epsilon();
+  EXPECT_NE(message_of([&] { (void)measure_contacts(request); }).find("wanted a gap of at least"),
+            std::string::npos);
+  request.gap = 1e-9;
+  EXPECT_NO_THROW((void)measure_contacts(request));
 }
 
 // Nothing stops a turn about the line between two hard points.

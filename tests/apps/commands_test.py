@@ -877,6 +877,38 @@ class WrongKinds(unittest.TestCase):
                 self.assertIn(wanted, complaint(*words))
 
 
+class Strengths(unittest.TestCase):
+    def test_are_explained_as_they_are_stated(self):
+        stated = {muscle["name"]: muscle["max_force_N"]
+                  for muscle in tomllib.loads(pathlib.Path(HUMAN).read_text())["muscle"] if "max_force_N" in muscle}
+        rows = ask("explain", HUMAN, "--digit", "thumb")["muscles"]["rows"]
+        for row in rows:
+            self.assertEqual(row["F0_N"], stated[row["muscle"]])
+        self.assertIn(16.765, [row["F0_N"] for row in rows])
+
+
+class Refused(unittest.TestCase):
+    def test_numbers_that_are_not_decimal(self):
+        for typed in ("0x10", "0X1p4"):
+            self.assertIn(f"got '{typed}'", complaint("tip-force", SYNEK, "--tension", f"FDP={typed}"))
+
+    def test_fits_that_have_not_converged_and_what_they_predict(self):
+        # One evaluation certifies no minimum, by a file of a request as by the command; the answer is printed.
+        with tempfile.TemporaryDirectory() as name:
+            request, fit = pathlib.Path(name) / "r.toml", pathlib.Path(name) / "fit.h5"
+            request.write_text('question = "fit"\nexperiments = ["synek2019_H01"]\nsubject = "an_chao_middle"\n'
+                               f'max_evaluations = 1\noutput = "{fit}"\n')
+            words = ("fit", "synek2019_H01", "--subject", "an_chao_middle", "--max-evaluations", "1")
+            for result in (run("ask", request, "--json"), run(*words, "--json")):
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("the fit has NOT converged", result.stderr)
+                self.assertNotEqual(json.loads(result.stdout)["status"], "converged")
+            predict = ("predict", fit, "synek2019_H01", "--json")
+            self.assertEqual(run(*predict).returncode, 1)
+            self.assertIn("do not use these forces", run(*predict).stderr)
+            self.assertEqual(run(*predict, "--allow-unconverged").returncode, 0)
+
+
 class Rerun(unittest.TestCase):
     def test_writes_the_same_answer_again(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -953,6 +985,27 @@ class Rerun(unittest.TestCase):
                     (folder / file).write_text(text)
             (folder / "box.off").unlink()
             self.assertIn("input 'box.off' is gone", run("rerun", answer, "--print").stdout)
+
+    def test_finds_its_inputs_unchanged(self):
+        # Data folders hold the subject of a digit, and two files of the types of thumbs; nets are built in. A request
+        # is a file, and so are contacts.
+        motion = ("--excitation", "FDP=0.1", "--seconds", "0.01")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "c.toml").write_text('question = "contacts"\ncontacts = "two_soft_fingers"\n')
+            for count, words in (
+                    (1, ("tendon", "solve", "synek2019_middle", "--tension", "EDC=2", "-o", "a.json")),
+                    (1, ("tendon", "solve", "synek2019_middle", "--net", "winslow", "--tension", "EDC=2", "-o", "a.html")),
+                    (2, ("tendon", "solve", "synek2019_middle", "--net", ROOT / "data/nets/winslow.toml", "--tension",
+                         "EDC=2", "-o", "a.json")),
+                    (1, ("simulate", "an_chao_index", "--net", "chao_an", *motion, "-o", "a.h5")),
+                    (2, ("study", "thumb-types", "--draws", "10", "-o", "a.json")),
+                    (2, ("ask", "c.toml", "-o", "a.json"))):
+                done = subprocess.run([PROGRAM, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = run("rerun", folder / words[-1], "--print").stdout
+                self.assertIn(f"inputs: {count}, unchanged", told)
+                self.assertNotIn("is gone", told)
 
     def test_refuses_what_records_no_command(self):
         self.assertIn("records no command", complaint("rerun", H01))

@@ -41,6 +41,15 @@ TEST(Question, NamesTheNearestWhereThereIsNone) {
   EXPECT_EQ(message.find("no question 'tip_forces', did you mean 'tip_force'?"), 0U) << message;
 }
 
+// One evaluation cannot certify a minimum.
+TEST(Question, RefusesTheAnswerOfAFitThatHasNotConverged) {
+  const Json request{
+      {"experiments", {"synek2019_H01"}}, {"subject", "an_chao_middle"}, {"max_evaluations", 1}};
+  const Answer answer = question_named("fit").ask(request, THENAR_DATA_DIR, {});
+  EXPECT_EQ(answer.refusal.find("the fit has NOT converged"), 0U) << answer.refusal;
+  EXPECT_EQ(answer.refusal.find("--"), std::string::npos) << answer.refusal;
+}
+
 // A record is one line, the question first, then the request in its own order.
 TEST(Question, RecordsTheQuestionFirst) {
   const OrderedJson request{{"world", "jaw_box"}, {"seed", 3}, {"approach", true}};

@@ -64,6 +64,9 @@ TEST(ParameterWords, NameObliqueDirectionsByTheirComponents) {
 TEST(ParameterWords, LeaveJointsOfOtherNamesAsTheyAre) {
   EXPECT_EQ(joint_words("CMC1_AA"), "CMC abduction");
   EXPECT_EQ(joint_words("IP1"), "IP");
+  // Numbers tell joints of other names apart.
+  EXPECT_EQ(meaning_of("arm/A/J1"), "moment arm of A at J1");
+  EXPECT_EQ(meaning_of("arm/A/J2"), "moment arm of A at J2");
   EXPECT_EQ(joint_words("finger_joint"), "finger_joint");
 }
 

@@ -12,22 +12,24 @@
 namespace thenar {
 namespace {
 
-SceneBodySpec read_scene_body(TomlTable& table, const SceneSpec& scene) {
+SceneBodySpec read_scene_body(TomlTable& table, const SceneSpec& scene,
+                              const std::vector<std::string>& places) {
   SceneBodySpec body;
   body.line = table.line();
-  body.placed = internal::read_placed_body(table, scene.path, scene.materials);
+  body.placed = internal::read_placed_body(table, scene.path, scene.materials, places);
   body.joint = internal::read_scene_joint(table, JointKind::kFree);
   body.velocity = internal::read_scene_velocity(table, body.joint.kind);
   return body;
 }
 
-SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
+SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene,
+                              const std::vector<std::string>& places) {
   SceneHandSpec hand;
   hand.line = table.line();
   hand.placed.name = table.text("name");
   if (table.has("file")) {
-    hand.placed.file = table.text("file");
-    (void)internal::file_beside(table, "file", scene.folder);
+    hand.placed.file =
+        internal::file_or_name(table, "file", scene.folder, {"robots", "subjects"}, places);
     hand.version = table.text_or("version", "");
   }
   // The number of skin triangles trades the accuracy of contacts for time.
@@ -186,7 +188,8 @@ void check_scene_spec(const SceneSpec& scene) {
   check_references(scene, names);
 }
 
-SceneSpec parse_scene(const std::string& text, const std::string& path) {
+SceneSpec parse_scene(const std::string& text, const std::string& path,
+                      const std::vector<std::string>& places) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
   // Header, gravity and materials.
@@ -201,8 +204,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   scene.materials = internal::read_materials_key(top, scene.folder);
   if (top.has("camera")) scene.camera = internal::read_camera(top);
   // Bodies and hands, and what acts on them.
-  read_each(top, "hand", scene.hands, read_scene_hand, scene);
-  read_each(top, "body", scene.bodies, read_scene_body, scene);
+  read_each(top, "hand", scene.hands, read_scene_hand, scene, places);
+  read_each(top, "body", scene.bodies, read_scene_body, scene, places);
   read_each(top, "force", scene.forces, internal::read_scene_force);
   read_each(top, "drive", scene.drives, internal::read_scene_drive, scene.folder);
   for (const bool tensions : {true, false})
@@ -223,8 +226,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   return scene;
 }
 
-SceneSpec read_scene(const std::string& path) {
-  SceneSpec scene = parse_scene(read_text_file(path), path);
+SceneSpec read_scene(const std::string& path, const std::vector<std::string>& places) {
+  SceneSpec scene = parse_scene(read_text_file(path), path, places);
   scene.files = digests_of({path});
   const auto add_linked = [&](const std::string& file) {
     if (!file.empty())

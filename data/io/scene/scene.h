@@ -171,9 +171,13 @@ inline constexpr double kMaxSceneSamples = 1e6;
 
 /// Reads a scene (data/scenes) from TOML; docs/data_format.md describes the format. Files named in
 /// it are relative to its folder.
+/// @param places  folders with robots/, subjects/ and objects/ that names of hands and bodies are
+///                found in, as in read_world(), in the order of search; empty: files alone
 /// @throws DataError  `path:line: what was wanted, what came`.
-[[nodiscard]] SceneSpec read_scene(const std::string& path);
-[[nodiscard]] SceneSpec parse_scene(const std::string& text, const std::string& path);
+[[nodiscard]] SceneSpec read_scene(const std::string& path,
+                                   const std::vector<std::string>& places = {});
+[[nodiscard]] SceneSpec parse_scene(const std::string& text, const std::string& path,
+                                    const std::vector<std::string>& places = {});
 
 /// Checks that parts have names of their own and name only what is there, that parents lead to the
 /// world, and that there is something to move; parse_scene() does.

@@ -43,7 +43,7 @@ TEST(BuildDigit, BuildsANetWhereOneIsNamed) {
   request.net = "winslow";
   const DigitCase at = build_digit(request, Hood::kFractions);
   ASSERT_NE(at.net, nullptr);
-  EXPECT_EQ(at.sources.back().path, "winslow.toml");
+  EXPECT_EQ(at.sources.back().path, "built-in winslow.toml");
   request.hood = Hood::kSeparate;
   EXPECT_THROW((void)build_digit(request, Hood::kFractions), InputError);
 }

@@ -54,6 +54,18 @@ TEST_F(Recorded, NamesInputsThatHaveChanged) {
   EXPECT_EQ(found.changed, 1);
 }
 
+// Nets are part of the program, also those of runs that named their files alone; paths are files.
+TEST_F(Recorded, MissesNoBuiltInNet) {
+  std::string nets = provenance("a");
+  nets.insert(nets.find("\"my hand"),
+              R"("built-in winslow.toml": "sha256 0", )"
+              R"("chao_an.toml": "sha256 0", "n/winslow.toml": "sha256 0", )");
+  (void)written("my hand.toml", "a");
+  const RecordedRun found = read_recorded_run(written("a.json", nets));
+  EXPECT_EQ(found.warnings, std::vector<std::string>{"input 'n/winslow.toml' is gone"});
+  EXPECT_EQ(found.compared, 2);
+}
+
 TEST_F(Recorded, IsReadFromBinaryResults) {
   ResultFile fit;
   fit.add("fit/z", Eigen::VectorXd::Zero(2), "1", {"coordinate"});

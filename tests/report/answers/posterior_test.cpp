@@ -37,11 +37,24 @@ TEST(ConvergenceComplaint, NamesCausesAndTheCommandToGoOnWith) {
   run.convergence.warnings = {"R-hat of a is 1.2, above 1.01"};
   run.convergence.worst_r_hat = 1.2;
   run.run.arguments = {"fit", "H01", "--draws", "250"};
-  const std::string text = convergence_complaint(run, false);
+  const std::string text = convergence_complaint(run);
   EXPECT_NE(text.find("R-hat of a is 1.2"), std::string::npos);
   EXPECT_NE(text.find("thenar fit H01 --draws 1000"), std::string::npos) << text;
   run.convergence.warnings.clear();
-  EXPECT_EQ(convergence_complaint(run, false), "");
+  EXPECT_EQ(convergence_complaint(run), "");
+}
+
+TEST(PosteriorAnswer, IsRefusedWhereChainsDisagree) {
+  PosteriorResult result = small_result();
+  result.run.convergence.warnings = {"R-hat of a is 1.2, above 1.01"};
+  EXPECT_EQ(refusal_of(result),
+            "the chains have NOT converged; do not use these draws:\n"
+            "  * R-hat of a is 1.2, above 1.01");
+  result.outcome.status = Status::kStopped;
+  EXPECT_EQ(refusal_of(result), "");
+  result.outcome.status = Status::kSolved;
+  result.run.convergence.warnings.clear();
+  EXPECT_EQ(refusal_of(result), "");
 }
 
 TEST(ConvergenceCautions, AreOfConvergedRunsAlone) {

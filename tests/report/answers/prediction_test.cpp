@@ -42,6 +42,14 @@ TEST(PredictionAnswer, NamesComponentsByTheWordsOfTheExperiment) {
   EXPECT_EQ(component_names(experiment), "dorsal ulnar proximal");
 }
 
+TEST(PredictionAnswer, IsRefusedWhereItsFitHasNotConverged) {
+  PredictResult result = one_trial();
+  EXPECT_EQ(refusal_of(result), "");
+  result.request.fit = "f.h5";
+  result.outcome.status = Status::kStalled;
+  EXPECT_EQ(refusal_of(result), "the fit in 'f.h5' has NOT converged; do not use these forces");
+}
+
 TEST(PredictionAnswer, IsAListOfSeveralExperiments) {
   PredictResult two = one_trial();
   two.experiments.push_back(two.experiments[0]);

@@ -25,6 +25,15 @@ TEST(StudyAnswer, MarksFitsThatHaveNotConverged) {
   EXPECT_EQ(study_complaint(two_fits()).substr(0, 31), "1 of 2 fits have NOT converged;");
 }
 
+TEST(StudyAnswer, NamesItsFiles) {
+  ThumbStudyResult result = two_fits();
+  result.study.inputs.truth = {"truth.toml", "true"};
+  result.study.inputs.criteria = {"criteria.toml", ""};
+  const FileDigests files = files_of(result);
+  EXPECT_EQ(files.at("truth.toml"), sha256("true"));
+  EXPECT_EQ(files.count("criteria.toml"), 1U);
+}
+
 TEST(StudyAnswer, ComplainsOfNothingWhereAllHave) {
   ThumbStudyResult good = two_fits();
   good.study.fits.pop_back();

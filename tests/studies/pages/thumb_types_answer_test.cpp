@@ -38,6 +38,13 @@ TEST(ThumbTypesAnswer, GivesSharesWithIntervals) {
   EXPECT_EQ(json["mcp_flexion_distal"]["share_published"], 0.652);
 }
 
+TEST(ThumbTypesAnswer, NamesItsFiles) {
+  ThumbTypesResult result = ten_thumbs();
+  result.types.inputs = {{"spread.toml", "s"}, {"thumb.toml", "t"}};
+  EXPECT_EQ(files_of(result),
+            (FileDigests{{"spread.toml", sha256("s")}, {"thumb.toml", sha256("t")}}));
+}
+
 TEST(ThumbTypesAnswer, SaysWhatIsAssumed) {
   EXPECT_EQ(assumed_words(ten_thumbs()), "Assumed, not measured: IP1 tilt_sd_deg");
 }

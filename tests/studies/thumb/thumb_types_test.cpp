@@ -112,6 +112,14 @@ TEST(ThumbTypes, CountsEveryDrawOnce) {
   EXPECT_EQ(types.types[0].count + types.types[1].count, types.flexion_distal);
 }
 
+// A share is the quotient of two whole numbers, rounded once, and so never beyond 1.
+TEST(ThumbTypes, SharesOfNormalsAreQuotients) {
+  ThumbTypesSettings settings;
+  settings.draws = 700;
+  for (const NormalShares& normal : study_thumb_types(inputs(), settings).normals)
+    for (const double share : normal.toward) EXPECT_EQ(share, std::round(700 * share) / 700);
+}
+
 // A thumb is a function of the seed and its number: no thread and no batch can change it.
 TEST(ThumbTypes, DrawsDependOnSeedAndNumberAlone) {
   const MeanThumb mean = mean_of(variability_of(inputs()));

@@ -51,6 +51,12 @@ TEST(Excitation, IsCutWhereTimeEnds) {
   EXPECT_NEAR(pieces[0].last[0], 0.4, 1e-15);
 }
 
+TEST(Excitation, SkipsAByteOrderMark) {
+  const std::string table = "time_s, FDP\n0, 0\n0.5, 1e-1\n";
+  EXPECT_EQ(parse_excitation("\xEF\xBB\xBF" + table, "e.csv", kMuscles).value,
+            parse_excitation(table, "e.csv", kMuscles).value);
+}
+
 TEST(Excitation, ReadsTableInOrderOfMuscles) {
   const Excitation e =
       parse_excitation("# ramp\ntime_s, FDP\n0, 0\n0.5, 1e-1\n", "e.csv", kMuscles);
