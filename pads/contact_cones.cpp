@@ -1,7 +1,5 @@
 #include "pads/contact_cones.h"
 
-#include <algorithm>
-
 #include <Eigen/LU>
 
 namespace thenar {

@@ -1,7 +1,5 @@
 #include "tendons/explain_digit.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/lists.h"

@@ -25,18 +25,6 @@ double friction_ratio(FrictionRamp ramp, double s) {
   return ramp == FrictionRamp::kLinear ? s : s * s * s * (10 + s * (6 * s - 15));
 }
 
-double creep_speed(FrictionRamp ramp, double ratio) {
-  if (ramp == FrictionRamp::kLinear) return std::clamp(ratio, 0.0, 1.0);
-  // Invert the increasing quintic by bisection.
-  constexpr int kBisections = 60;  // enough for the precision of a double
-  double low = 0, high = 1;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (friction_ratio(ramp, middle) < ratio ? low : high) = middle;
-  }
-  return high;
-}
-
 TangentialLoad friction_load(const ContactCompliance& compliance, const PairFriction& pair,
                              double normal_force, const Eigen::Vector3d& slip, double spin) {
   const double spin_speed = pair.torsion_radius * spin;

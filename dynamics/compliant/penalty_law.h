@@ -33,11 +33,6 @@ struct NormalLoad {
 /// @param s  slip speed over the transition speed, >= 0 [1]
 [[nodiscard]] double friction_ratio(FrictionRamp ramp, double s);
 
-/// Returns the creep speed of a contact under a given friction, over the transition speed [1]: the
-/// inverse of friction_ratio().
-/// @param ratio  friction over its largest value, 0..1
-[[nodiscard]] double creep_speed(FrictionRamp ramp, double ratio);
-
 /// Friction of one contact.
 struct TangentialLoad {
   Eigen::Vector3d force{0, 0, 0};  // force on the slipping body [N] (3)

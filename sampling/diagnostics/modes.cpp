@@ -1,6 +1,5 @@
 #include "sampling/diagnostics/modes.h"
 
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>

@@ -1,8 +1,5 @@
 #include "sampling/methods/sampler.h"
 
-#include <array>
-#include <utility>
-
 #include "base/error.h"
 
 namespace thenar {

@@ -1,6 +1,5 @@
 #include "sampling/run/run_chains.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "base/error.h"

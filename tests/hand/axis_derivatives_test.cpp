@@ -1,6 +1,6 @@
-// Tests for hand/axis_derivatives.cpp.
+// Derivatives by the axes of a chain: closed forms, differences and Jets agree.
 
-#include "hand/axis_derivatives.h"
+#include "tests/hand/axis_derivatives.h"
 
 #include <type_traits>
 

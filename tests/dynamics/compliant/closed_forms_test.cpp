@@ -8,6 +8,7 @@
 #include "dynamics/compliant/penalty_law.h"
 #include "geometry/tessellate.h"
 #include "tests/dynamics/compliant/compliant_scenes.h"
+#include "tests/dynamics/compliant/creep_speed.h"
 
 namespace thenar {
 namespace {
@@ -111,7 +112,8 @@ TEST_P(CompliantPrograms, HeldCubeCreepsAtTheSpeedOfItsShare) {
   const double share = 0.1 * kG / (2 * 0.8 * 2);
   const SceneRun run = this->run(world.scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
-  const double creep = options.compliance.transition * creep_speed(FrictionRamp::kQuintic, share);
+  const double creep =
+      options.compliance.transition * closed_form::creep_speed(FrictionRamp::kQuintic, share);
   EXPECT_NEAR(run.samples.back().v[7], -creep, 1e-4 * creep);
   EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z(), -creep * 0.5, 0.05 * creep);
   ASSERT_EQ(run.samples.back().contacts.size(), 2);
@@ -149,7 +151,8 @@ TEST(PenaltyScene, ResolvesCreepBelowItsTolerance) {
   options.compliance.transition = 1e-5;
   const SceneRun run = simulate_penalty_scene(world.scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
-  const double creep = 1e-5 * creep_speed(FrictionRamp::kQuintic, 0.1 * kG / (2 * 0.8 * 2));
+  const double creep =
+      1e-5 * closed_form::creep_speed(FrictionRamp::kQuintic, 0.1 * kG / (2 * 0.8 * 2));
   // Speeds are kept to 0.1 um/s, which is 3 % of it.
   EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z() / (-2 * creep), 1, 0.03);
 }

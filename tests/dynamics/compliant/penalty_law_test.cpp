@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/dynamics/compliant/creep_speed.h"
 
 namespace thenar {
 namespace {
@@ -50,7 +51,7 @@ TEST(PenaltyLaw, RampsRiseFromRestToCoulomb) {
     EXPECT_EQ(friction_ratio(ramp, 1), 1);
     EXPECT_EQ(friction_ratio(ramp, 7), 1);
     for (const double share : {0.0, 0.1, 0.5, 0.99})
-      EXPECT_NEAR(friction_ratio(ramp, creep_speed(ramp, share)), share, 1e-14);
+      EXPECT_NEAR(friction_ratio(ramp, closed_form::creep_speed(ramp, share)), share, 1e-14);
   }
 }
 

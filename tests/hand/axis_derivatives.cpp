@@ -1,4 +1,4 @@
-#include "hand/axis_derivatives.h"
+#include "tests/hand/axis_derivatives.h"
 
 #include <cmath>
 
