@@ -32,7 +32,7 @@ std::string object_file(const std::string& name, const std::string& data) {
   std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
   if (fs::path(file).extension() != ".toml") {
     throw InputError(
-        fmt::format("'{}' is not an object file (TOML): `thenar import`, told its mass and "
+        fmt::format("'{}' is not an object file (TOML): `thenar import`, given its mass and "
                     "material{}, makes one",
                     file, is_mesh_file(file) ? ", and the unit of its numbers" : ""));
   }

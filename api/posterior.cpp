@@ -75,7 +75,7 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
   return sample_posterior(inputs, settings, ranks);
 } catch (const CheckpointError& refusal) {
   const bool damaged = refusal.kind() == CheckpointError::Kind::kDamaged;
-  throw InputError(fmt::format("{}\n{} a fresh one forgets it and begins anew.", refusal.what(),
+  throw InputError(fmt::format("{}\n{} a fresh one forgets it and starts over.", refusal.what(),
                                damaged ? "No run can go on with it:"
                                        : "The one that began it can go on with it;"),
                    "fresh");

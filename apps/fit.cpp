@@ -131,7 +131,7 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
     if (param.member.name != "method") known.push_back(param.member.name);
   add_request_options(*group, without(posterior_params().params(), known), options.chains);
   group->add_flag("--no-retry", options.no_retry,
-                  "Keep chains whose trajectories diverge, rather than begin anew with smaller "
+                  "Keep chains whose trajectories diverge, rather than start over with smaller "
                   "steps (at target acceptances of 0.95 and 0.99)");
 }
 

@@ -84,10 +84,11 @@ std::vector<std::string> describe(const UndeterminedTilts& tilts) {
   if (!tilts.undecided.empty()) {
     std::vector<std::string> names;
     for (const CoordinateEstimate& tilt : tilts.undecided) names.push_back(tilt.name);
-    warnings.push_back(fmt::format(
-        "{} of {} tilts of axes are not told by the forces, they keep more than {:.1f} of their "
-        "prior sd: {}",
-        names.size(), tilts.tilt_count, kUndecidedShare, some_of(names)));
+    warnings.push_back(
+        fmt::format("{} of {} tilts of axes are not determined by the forces, they keep more than "
+                    "{:.1f} of their "
+                    "prior sd: {}",
+                    names.size(), tilts.tilt_count, kUndecidedShare, some_of(names)));
   }
   if (!tilts.correlated.empty()) {
     std::vector<std::string> pairs;

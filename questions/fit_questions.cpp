@@ -203,7 +203,7 @@ RequestTable<SampleRequest> posterior_params() {
   table.add("fresh", flag_schema(), &Request::fresh, "Discard an interrupted run of this output.");
   table.add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
             &Request::retry_acceptances,
-            "Target acceptances at which chains begin anew whose trajectories diverge.", "");
+            "Target acceptances at which chains start over whose trajectories diverge.", "");
   add_output(table, &Request::output, "File of the draws (.nc).");
   return table;
 }

@@ -119,7 +119,7 @@ std::vector<SamplingAdvice> advise(const PosteriorRun& run) {
   // Settings that answer a cause first: more draws of the same chains would not.
   const Changes changes = changed_settings(run);
   if (!changes.options.empty())
-    add(fmt::format("{}; these settings begin anew, with --fresh",
+    add(fmt::format("{}; these settings start over, with --fresh",
                     fmt::join(changes.reasons, "; ")),
         changes.options, true);
   if (!too_short(run)) return advice;

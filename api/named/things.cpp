@@ -106,7 +106,7 @@ Thing read_thing(const std::string& path) {
   require_kind(path, {"data file (TOML, HDF5, netCDF)"});
   throw DataError(path, 1,
                   "wanted TOML or HDF5; robots, objects, worlds and meshes of other formats are "
-                  "told by `thenar import`, lists of contacts (JSON) by `thenar quality`");
+                  "read by `thenar import`, lists of contacts (JSON) by `thenar quality`");
 }
 
 }  // namespace thenar

@@ -34,7 +34,7 @@ BandProblems::BandProblems(FitProblem all, FitSettings settings, std::vector<std
       also_free_(std::move(also_free)),
       bands_(std::move(bands)) {
   require(all_.digit().net != nullptr, "bands are in question of a digit without a net");
-  require(all_.specimens().size() == 1, "bands are told of one specimen, got {}",
+  require(all_.specimens().size() == 1, "bands are inferred for one specimen, got {}",
           all_.specimens().size());
   require(!bands_.empty(), "no band is in question");
   for (const std::string& band : bands_) (void)cut(*all_.digit().net, band);

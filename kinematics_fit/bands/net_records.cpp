@@ -107,7 +107,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
     // Skip trials that do not load the net.
     const VectorXd& t = plan.tension[i];
     require(site_of(plan, static_cast<std::size_t>(i)) < 0,
-            "experiment {}: bands are told from forces of the tip; leave out trials measured at "
+            "experiment {}: bands are inferred from tip forces; leave out trials measured at "
             "other segments",
             experiment.name);
     if (tendons.drive(t).isZero(0)) continue;

@@ -236,7 +236,7 @@ std::string reading_words(const Comparison& comparison) {
       "of good geometry may have none: a joint that nothing holds gives way. Stops, such drives "
       "and palms press by no force of their own: they push back what motors or tendons press, and "
       "carry what the load presses on them without friction. No source states their strength: no "
-      "limit means that they alone carry the load, and not that the hand would. Loads are told "
+      "limit means that they alone carry the load, and not that the hand would. Loads are given "
       "twice: by efforts and friction alone, and with structure, within the same limits.\n\nn/a "
       "appears where nothing was measured or an effort is unknown. Approaches are random: shares "
       "have the interval that is given with them, and the best of few approaches is not the best "

@@ -216,7 +216,7 @@ std::vector<MeasureRow> robustness_rows(const GraspResult& result) {
                    1000 * asked.contacts.position, asked.contacts.tilt / kDegree)},
       {"robustness to the object's pose", share_words(result.robustness->pose),
        fmt::format("{} draws of seed {}; standard deviations: {:.1f} mm and {:.1f} deg an axis; "
-                   "grasped anew. Jaws centre the object, but do not turn it flush, so that "
+                   "grasped again. Jaws centre the object, but do not turn it flush, so that "
                    "flat faces meet along edges or at corners",
                    asked.draws, result.request.seed, 1000 * asked.place, asked.turn / kDegree)}};
 }

@@ -63,8 +63,8 @@ Fields belief_fields(const BandBelief& band, const BandEnds& ends) {
 
 std::string verdict_words(const BandBelief& band) {
   if (band.verdict != Verdict::kUndecided) return to_string(band.verdict);
-  return band.why == UndecidedReason::kSlack ? "cannot be told: slack throughout"
-                                             : "cannot be told: others can do its work";
+  return band.why == UndecidedReason::kSlack ? "undetermined: slack throughout"
+                                             : "undetermined: others can do its work";
 }
 
 std::string probability_words(const BandBelief& band) {

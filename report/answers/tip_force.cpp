@@ -108,9 +108,9 @@ std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
   if (point.planar)
     add(answer.request.hold == TipConstraint::kRigid
             ? "all axes are parallel: forces across the plane of flexion, and moments but the one "
-              "about its normal, meet no joint and are not told (0)"
-            : "all axes are parallel: forces across the plane of flexion meet no joint and are not "
-              "told (0)");
+              "about its normal, meet no joint and are given as 0"
+            : "all axes are parallel: forces across the plane of flexion meet no joint and are "
+              "given as 0");
   if (!answer.map.empty() || point.singular) return note;
   add(posture_note(answer.rows, point.condition, point.change));
   return note;

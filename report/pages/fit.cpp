@@ -188,7 +188,7 @@ Json choice_section(const FitResult& result) {
                   "judged by log loss plus logarithm of the relative error of {}, {:.3f} nat at "
                   "first and {:.3f} of those chosen (relative error {:.3f} and {:.3f}). Errors "
                   "that guided a choice look better than they are. Those of the tables above did "
-                  "not guide it: there every fold chose anew, from the trials that it kept.",
+                  "not guide it: there every fold chose again, from the trials that it kept.",
                   chosen.tried.size(), judged_words(chosen), chosen.tried.front().loss, chosen.loss,
                   chosen.tried.front().error, chosen.error),
       Json::array(

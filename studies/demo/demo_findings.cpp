@@ -258,7 +258,7 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
   const KeptAxes made_up = kept_axes(recovery);
   const ReweightedDraws& prior = result.lessons.reweighted.front();
   const DataUpdate& both = update_by_both(prior);
-  std::string measured = fmt::format("is not told ({})", both.message);
+  std::string measured = fmt::format("is not known ({})", both.message);
   if (both.message.empty()) {
     const KeptShares kept = kept_shares(prior, both);
     measured = fmt::format("{:.0f} % (rms over {} tilts, of which {} keep more than {:.0f} %){}",

@@ -307,7 +307,7 @@ std::string alone_words(const ThumbRecoveryResult& result) {
       prior.tilts.cols(), (prior.predicted.intact.array() < kMinPinchForce).count(),
       undecided_words(prior));
   if (!both.message.empty())
-    return fmt::format("What the {} numbers teach alone is not told: {}.", measured_numbers(of),
+    return fmt::format("What the {} numbers teach alone is not known: {}.", measured_numbers(of),
                        both.message) +
            cannot;
   // Compare with what the made-up data leave of an axis.
@@ -343,7 +343,7 @@ std::string beside_words(const MeasuredLessons& of) {
         "may widen it.",
         100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both));
   } else {
-    words = fmt::format("What they teach beside the made-up data is not told: {}.", both.message);
+    words = fmt::format("What they teach beside the made-up data is not known: {}.", both.message);
   }
   return words +
          fmt::format(
@@ -374,7 +374,7 @@ std::string limits_words(const MeasuredLessons& of) {
 }  // namespace
 
 std::string doubt_of(const DataUpdate& update) {
-  if (!update.message.empty()) return fmt::format(" (NOT told: {})", update.message);
+  if (!update.message.empty()) return fmt::format(" (NOT known: {})", update.message);
   return update.weights.reliable() ? "" : " (NOT reliable: Pareto k is above its limit)";
 }
 

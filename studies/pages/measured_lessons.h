@@ -27,7 +27,7 @@ struct KeptShares {
 /// Computes the shares. @param update  update with reliable weights
 [[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
 
-/// Returns "" if weights are reliable; else " (NOT reliable ..)", or " (NOT told ..)" without
+/// Returns "" if weights are reliable; else " (NOT reliable ..)", or " (NOT known ..)" without
 /// numbers.
 [[nodiscard]] std::string doubt_of(const DataUpdate& update);
 

@@ -264,7 +264,7 @@ class Compare(unittest.TestCase):
     def test_says_how_a_mesh_becomes_an_object(self):
         mesh = self.folder / "wedge.obj"
         mesh.write_text(MESH.format(x=60))
-        self.assertIn(f"'{mesh}' is not an object file (TOML): `thenar import`, told its mass and material, and the unit "
+        self.assertIn(f"'{mesh}' is not an object file (TOML): `thenar import`, given its mass and material, and the unit "
                       "of its numbers, makes one", self.refusal(objects=str(mesh)))
         self.assertIn("is a mesh and no hand", self.refusal(hands=str(mesh)))
 

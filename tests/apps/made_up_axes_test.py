@@ -147,7 +147,7 @@ class Doubts(unittest.TestCase):
         """Two forces cannot tell eight tilts."""
         made = made_up_digits.make_up("finger", 12, 0, "rigid")
         made.trials, made.forces = made.trials[:2], made.forces[:2]
-        told = [w for w in fit(made, made_up_digits.NOISE)["warnings"] if "not told" in w]
+        told = [w for w in fit(made, made_up_digits.NOISE)["warnings"] if "not determined" in w]
         self.assertEqual(len(told), 1)
         self.assertIn("axis/", told[0])
 

@@ -180,7 +180,7 @@ class TextNumbers : public PlyNumbers {
       : lines_(text, path), path_(path), line_(line) {}
   void begin_item() override {
     if (!lines_.next())
-      throw DataError(path_, line(), "the file ends before all elements are told");
+      throw DataError(path_, line(), "the file ends before all elements are listed");
   }
   double next(Type /*type*/) override {
     const std::string_view word = lines_.word();

@@ -198,7 +198,7 @@ namespace {
 constexpr int kMaxPolygonCount = 100'000'000;  // Most corners, faces, or sides of a face
 
 void go_on(TextLines& lines) {
-  if (!lines.next()) lines.fail("the file ends before all corners and faces are told");
+  if (!lines.next()) lines.fail("the file ends before all corners and faces are listed");
 }
 
 }  // namespace

@@ -190,7 +190,7 @@ std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad) {
   if (laws.pad_digest.empty() || laws.pad_digest == pad_digest(pad)) return "";
   return fmt::format(
       "laws were fitted to another version of pad '{}': its shape or tissue has changed since; "
-      "`thenar pad laws` fits them anew",
+      "`thenar pad laws` fits them again",
       pad.name);
 }
 

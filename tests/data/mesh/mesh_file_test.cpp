@@ -248,7 +248,7 @@ TEST_F(MeshFile, NamesTheLineOfABrokenOff) {
   EXPECT_EQ(refusal("far.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"),
             "6: wanted a whole number in 0..2, got 9");
   EXPECT_EQ(refusal("cut.off", "OFF 3 1 0\n0 0 0\n1 0 0\n# 0 1 0\n"),
-            "4: the file ends before all corners and faces are told");
+            "4: the file ends before all corners and faces are listed");
 }
 
 TEST_F(MeshFile, NamesTheLineOfABrokenPlyHeader) {

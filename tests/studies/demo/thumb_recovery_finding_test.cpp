@@ -74,7 +74,7 @@ TEST(ThumbRecoveryFinding, TellsEveryDoubt) {
   both.weights.k = 2;
   both_say(result, "(NOT reliable: Pareto k is above its limit)");
   both = {both.added, "one draw takes all the weight", {}, {}};
-  both_say(result, "is not told (one draw takes all the weight)");
+  both_say(result, "is not known (one draw takes all the weight)");
 }
 
 TEST(ThumbRecoveryFinding, OfAStoppedStudyTellsThatItStopped) {

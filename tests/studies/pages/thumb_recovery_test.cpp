@@ -131,7 +131,7 @@ TEST(ThumbRecoveryPage, TellsWeightsThatTellNothing) {
   EXPECT_THAT(words_of(result), HasSubstr("56 % in the rms (NOT reliable: Pareto k is above"));
   both = {both.added, "none of 400 draws can have weight", {}, {}};
   result.lessons.reweighted.front().predicted.undecided[0] = 1;
-  EXPECT_THAT(words_of(result), HasSubstr("teach alone is not told: none of 400 draws can have "
+  EXPECT_THAT(words_of(result), HasSubstr("teach alone is not known: none of 400 draws can have "
                                           "weight. Of 400 thumbs of the prior"));
   EXPECT_THAT(words_of(result), HasSubstr("Draws before any data whose pinch is UNDECIDED"));
   const Json page = measured_lessons_section(result);
