@@ -43,10 +43,10 @@ TEST(RequestFile, TellsTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal_of_file("question = \"tip_force\"\nsubject = 2026-01-01\n"),
             "r.toml:2: no parameter is a date");
   const std::string finger = "question = \"tip_force\"\nsubject = \"synek2019_middle\"\n";
-  EXPECT_EQ(refusal(finger + "tension_N = {FDP = nan}\n"), "r.toml:3: no parameter is nan");
-  EXPECT_EQ(refusal(finger + "tension_N = 10\n"),
+  EXPECT_EQ(refusal_of_file(finger + "tension_N = {FDP = nan}\n"), "r.toml:3: no parameter is nan");
+  EXPECT_EQ(refusal_of_file(finger + "tension_N = 10\n"),
             "r.toml:3: tension_N: wanted a table of at most 1000 members, got 10");
-  EXPECT_EQ(refusal(finger + "tension_N = {FDP = 10}\nvary_deg = {joint = \"PIP3\"}\n"),
+  EXPECT_EQ(refusal_of_file(finger + "tension_N = {FDP = 10}\nvary_deg = {joint = \"PIP3\"}\n"),
             "r.toml:4: vary_deg: wanted a list of 0 to 100 entries, got a table");
 }
 
