@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/lists.h"
+#include "base/nearest_name.h"
 #include "tendons/name_conventions.h"
 
 namespace thenar {
@@ -13,7 +14,8 @@ namespace {
 /// Returns a digit of the subject. @throws InputError if there is none
 const Digit& digit_of(const Subject& subject, const std::string& name) {
   if (const Digit* digit = find_named(subject.digits, name)) return *digit;
-  throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
+  throw InputError(fmt::format("subject '{}' has no digit '{}'; there are {}", subject.name, name,
+                               listed(names_of(subject.digits))));
 }
 
 /// Builds a path from the points on kept links, without surfaces.
