@@ -79,7 +79,7 @@ TEST(FeasibleForceWords, TellWhatAParalysisCosts) {
   request.frame = DirectionFrame::kTip;
   request.without = {"FDP"};  // the only flexor of DIP
   const FeasibleForceResult answer = compute_feasible_force(request);
-  EXPECT_NE(text_of(answer).find("Without FDP: 100.0 % of the 33.760 N"), std::string::npos);
+  EXPECT_NE(text_of(answer).find("Without FDP: 100.0 % of 33.760 N (all muscles)"), std::string::npos);
   const OrderedJson json = json_of(answer);
   EXPECT_EQ(json["without"][0], "FDP");
   EXPECT_DOUBLE_EQ(json["paralysis"]["loss"], 1);
