@@ -873,7 +873,7 @@ class WrongKinds(unittest.TestCase):
                     (("compare", "--hands", mug, "--objects", "can"),
                      "is an object, wanted a robot or a subject"),
                     (("compare", "--hands", "barrett", "--objects", mesh),
-                     "told its mass and material, and the unit of its numbers")):
+                     "given its mass and material, and the unit of its numbers")):
                 self.assertIn(wanted, complaint(*words))
 
 
@@ -897,8 +897,9 @@ class Refused(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             request, fit = pathlib.Path(name) / "r.toml", pathlib.Path(name) / "fit.h5"
             request.write_text('question = "fit"\nexperiments = ["synek2019_H01"]\nsubject = "an_chao_middle"\n'
-                               f'max_evaluations = 1\noutput = "{fit}"\n')
-            words = ("fit", "synek2019_H01", "--subject", "an_chao_middle", "--max-evaluations", "1")
+                               'max_evaluations = 1\n')
+            words = ("fit", "synek2019_H01", "--subject", "an_chao_middle", "--max-evaluations", "1",
+                     "-o", fit)
             for result in (run("ask", request, "--json"), run(*words, "--json")):
                 self.assertEqual(result.returncode, 1, result.stderr)
                 self.assertIn("the fit has NOT converged", result.stderr)
