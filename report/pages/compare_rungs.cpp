@@ -173,16 +173,17 @@ Json page_of(const RungComparison& comparison) {
        row_block(Json::array(
            {error_chart(comparison, "Error of normal forces at the end", "error of forces [%]",
                         [](const RungError& error) { return 100 * error.force_end; }),
-            error_chart(comparison, "Error of places at the end", "error of places [mm]",
+            error_chart(comparison, "Error of positions at the end", "error of positions [mm]",
                         [](const RungError& error) { return error.place_end / kMm; })})),
        rung_table(comparison), table_block("Pads at the end", pad_table_of(comparison))});
   Json sections = Json::array({section(
       "rungs", "What each rung costs",
-      fmt::format("{}. {}, which takes {:.3g} s of processor time for each simulated second. "
-                  "Errors of forces are those of the normal forces of all pads, root of the sum of "
-                  "squares over that of the finest; places are those of bodies other than links. "
-                  "Where a body tumbles, small errors of forces become large ones of places.",
-                  finest.scene.description, finest_words(comparison), cpu_per_second(finest)),
+      fmt::format(
+          "{}. {}, which takes {:.3g} s of processor time for each simulated second. "
+          "Errors of forces are those of the normal forces of all pads, root of the sum of "
+          "squares over that of the finest; positions are those of bodies other than links. "
+          "Where a body tumbles, small errors of forces become large errors of positions.",
+          finest.scene.description, finest_words(comparison), cpu_per_second(finest)),
       std::move(charts))});
   Json curves = Json::array();
   const Table pads = pad_table_of(comparison);

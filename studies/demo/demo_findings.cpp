@@ -156,8 +156,8 @@ Finding posterior_finding(const std::vector<DemoPosterior>& posteriors) {
                "Runs that converged without a warning: {}; the worst R-hat is {:.4f}. Of the force "
                "components of a hand that was never fitted, {} lie within their 95 % interval.",
                share(converged, posteriors.size()), worst, covered)},
-          fmt::format("Posteriors: the worst R-hat is {:.4f}; {} of a stranger's force components "
-                      "lie within their 95 % interval.",
+          fmt::format("Posteriors: the worst R-hat is {:.4f}; {} of a new specimen's force "
+                      "components lie within their 95 % interval.",
                       worst, covered)};
 }
 
