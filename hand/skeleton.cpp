@@ -247,12 +247,10 @@ Eigen::VectorXd posture(const Skeleton& skeleton, const std::map<std::string, do
 }
 
 const SkeletonTip& tip(const Skeleton& skeleton, const std::string& digit) {
-  std::vector<std::string> names;
-  for (const SkeletonTip& candidate : skeleton.tips) {
+  for (const SkeletonTip& candidate : skeleton.tips)
     if (candidate.digit == digit) return candidate;
-    names.push_back(candidate.digit);
-  }
-  throw InputError(fmt::format("no digit '{}'; there are {}", digit, listed(names)));
+  throw InputError(fmt::format("no digit '{}'; there are {}", digit,
+                               listed(transformed(skeleton.tips, &SkeletonTip::digit))));
 }
 
 Eigen::VectorXd passive_torque(const Skeleton& skeleton,

@@ -105,8 +105,7 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
     tendons.digits.push_back(extensors == Extensors::kNet
                                  ? net_or_linear_tendons(subject, digit.name, options, warnings)
                                  : build_digit_tendons(subject, digit.name, options));
-    for (const std::string& name : tendons.digits.back()->digit().names.muscles)
-      if (!contains(muscles, name)) muscles.push_back(name);
+    append_new(muscles, tendons.digits.back()->digit().names.muscles);
   }
   // Set the largest tensions, and warn of assumptions.
   MuscleForces forces = muscle_forces(subject, muscles);

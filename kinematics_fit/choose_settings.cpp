@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -83,8 +84,7 @@ class Chooser {
 
   LeftOutScore score_of(const FitSettings& settings) {
     // Look up the score of settings that were tried before.
-    std::vector<std::size_t> chosen;
-    for (const SettingChoice& choice : settings.choices) chosen.push_back(choice.chosen);
+    std::vector<std::size_t> chosen = transformed(settings.choices, &SettingChoice::chosen);
     const auto known = std::find_if(found_.tried.begin(), found_.tried.end(),
                                     [&](const TriedSettings& one) { return one.chosen == chosen; });
     if (known != found_.tried.end()) return {known->loss, known->error};

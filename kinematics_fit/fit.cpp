@@ -54,8 +54,8 @@ TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
 
 /// Returns the inputs with the problem's prior scale factors written into their settings.
 FitInputs with_factors_of(FitInputs inputs, const FitProblem& problem) {
-  std::vector<double> factors;
-  for (const ScaledPriors& scale : problem.parameters().scales) factors.push_back(scale.factor);
+  const std::vector<double> factors =
+      transformed(problem.parameters().scales, &ScaledPriors::factor);
   if (factors.empty()) return inputs;
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
   inputs.settings.text = with_scale_factors(inputs.settings.text, settings, factors);
@@ -219,13 +219,9 @@ FitInputs inputs_of(const ResultFile& file) {
 /// Writes values and sds of every parameter, of the population and of each specimen.
 void add_parameters(const Fit& fit, ResultFile& file) {
   // Write names and units, once for all groups.
-  std::vector<std::string> names, units;
-  for (const Parameter& parameter : fit.problem.parameters().all) {
-    names.push_back(parameter.name);
-    units.push_back(display_unit(parameter));
-  }
-  file.add("parameters/name", names);
-  file.add("parameters/unit", units);
+  const std::vector<Parameter>& all = fit.problem.parameters().all;
+  file.add("parameters/name", names_of(all));
+  file.add("parameters/unit", transformed(all, display_unit));
 
   // Write values and sds of the population, then of each specimen.
   const auto add = [&](const std::string& group, int specimen) {
@@ -246,17 +242,14 @@ void add_predictions(const Fit& fit, ResultFile& file) {
     const std::string group = "predictions/" + prediction.experiment;
     const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
     Eigen::MatrixXd measured(trials, 3), predicted(trials, 3);
-    std::vector<std::string> postures, loads;
     for (Eigen::Index i = 0; i < trials; ++i) {
-      postures.push_back(prediction.trials[i].posture);
-      loads.push_back(prediction.trials[i].loads);
       measured.row(i) = prediction.trials[i].measured;
       predicted.row(i) = prediction.trials[i].predicted;
     }
 
     // Write one group for each experiment.
-    file.add(group + "/posture", postures);
-    file.add(group + "/loads", loads);
+    file.add(group + "/posture", transformed(prediction.trials, &PredictedTrial::posture));
+    file.add(group + "/loads", transformed(prediction.trials, &PredictedTrial::loads));
     file.add(group + "/measured", measured, "N", {"trial", "component"});
     file.add(group + "/predicted", predicted, "N", {"trial", "component"});
     file.add(group + "/relative_error", prediction.error.relative, "1");
@@ -361,10 +354,8 @@ void write_fit(const Fit& fit, const std::string& path) {
   file.add("fit/seconds", fit.solution.seconds, "s");
 
   // Write the directions that the data leave undetermined.
-  std::vector<std::string> null_directions;
-  for (const NullDirection& null : fit.covariance.null_directions)
-    null_directions.push_back(null.text);
-  file.add("fit/not_identifiable", null_directions);
+  file.add("fit/not_identifiable",
+           transformed(fit.covariance.null_directions, &NullDirection::text));
 
   // Write parameters, predictions and provenance in names and units for readers.
   add_seen(fit.problem, file);

@@ -39,10 +39,8 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
   require(this->parameters().coordinates() > 0, "nothing to fit: every parameter is fixed");
   require(!experiments_.empty(), "nothing to fit to: no experiment");
   // Find the index of each experiment's specimen.
-  for (const Experiment& experiment : experiments_) {
-    const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
-    specimen_of_.push_back(static_cast<int>(known - specimens().begin()));
-  }
+  for (const Experiment& experiment : experiments_)
+    specimen_of_.push_back(place_in(specimens(), experiment.specimen));
   // Scale the digits, and compile the forces of each experiment.
   if (scaling_ == Scaling::kOutside) size_specimens();
   for (std::size_t e = 0; e < experiments_.size(); ++e) {
@@ -93,20 +91,19 @@ const TendonDigit& FitProblem::digit_of(int specimen) const {
 
 TendonDigit FitProblem::sized_digit(const Experiment& experiment) const {
   if (scaling_ == Scaling::kSubject) return digit_;
-  const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
-  if (known == specimens().end() || !experiment.outside_length.empty())
-    return scale_to_outside(digit_, experiment);
-  return digit_of(static_cast<int>(known - specimens().begin()));
+  const int known = place_in(specimens(), experiment.specimen);
+  if (known < 0 || !experiment.outside_length.empty()) return scale_to_outside(digit_, experiment);
+  return digit_of(known);
 }
 
 void FitProblem::find_axes() {
   // Find the hinges of the joints by name.
   const std::vector<std::string>& names = digit_.names.hinges;
   const auto hinge = [&](const std::string& joint) {
-    const auto found = std::find(names.begin(), names.end(), joint);
-    require(found != names.end(), "axis distance of joint '{}', which the digit has not; it has {}",
-            joint, fmt::join(names, ", "));
-    return static_cast<int>(found - names.begin());
+    const int found = place_in(names, joint);
+    require(found >= 0, "axis distance of joint '{}', which the digit has not; it has {}", joint,
+            fmt::join(names, ", "));
+    return found;
   };
   for (const AxisDistance& wanted : axis_distances_) {
     require(wanted.lower <= wanted.upper && wanted.upper > 0,

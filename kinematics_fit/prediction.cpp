@@ -218,9 +218,8 @@ std::vector<std::string> unsteady_force_warnings(const Prediction& prediction) {
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {
-  const auto& known = fitted.specimens();
-  const auto found = std::find(known.begin(), known.end(), specimen);
-  return found == known.end() ? kUnfittedSpecimen : static_cast<int>(found - known.begin());
+  static_assert(kUnfittedSpecimen == -1, "place_in() returns it for an absent specimen");
+  return place_in(fitted.specimens(), specimen);
 }
 
 }  // namespace thenar

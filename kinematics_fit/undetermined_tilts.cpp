@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prior_scales.h"
@@ -82,13 +83,12 @@ UndeterminedTilts find_undetermined_tilts(const FitProblem& problem, const Eigen
 std::vector<std::string> describe(const UndeterminedTilts& tilts) {
   std::vector<std::string> warnings;
   if (!tilts.undecided.empty()) {
-    std::vector<std::string> names;
-    for (const CoordinateEstimate& tilt : tilts.undecided) names.push_back(tilt.name);
     warnings.push_back(
         fmt::format("{} of {} tilts of axes are not determined by the forces, they keep more than "
                     "{:.1f} of their "
                     "prior sd: {}",
-                    names.size(), tilts.tilt_count, kUndecidedShare, some_of(names)));
+                    tilts.undecided.size(), tilts.tilt_count, kUndecidedShare,
+                    some_of(names_of(tilts.undecided))));
   }
   if (!tilts.correlated.empty()) {
     std::vector<std::string> pairs;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/random_stream.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/posterior_parts.h"
@@ -269,9 +270,8 @@ std::vector<std::string> HandPosterior::names() const {
 }
 
 std::vector<std::string> HandPosterior::specimen_scale_kinds() const {
-  std::vector<std::string> kinds;
-  for (const ParameterKind kind : parts_->entries.specimen_scales) kinds.push_back(name_of(kind));
-  return kinds;
+  return transformed(parts_->entries.specimen_scales,
+                     [](ParameterKind kind) { return name_of(kind); });
 }
 
 std::vector<int> HandPosterior::moving_parameters() const {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -91,10 +93,8 @@ class EntryLister {
     const FitParameters& parameters = problem_.parameters();
     const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
     auto& known = out_.specimen_scales;
-    const auto found = std::find(known.begin(), known.end(), kind);
-    const int at = static_cast<int>(found - known.begin());
-    if (found == known.end()) known.push_back(kind);
-    return at;
+    if (!contains(known, kind)) known.push_back(kind);
+    return place_in(known, kind);
   }
 
   /// Returns the entry of x of this tilt, of kPopulation or a specimen; -1: none.

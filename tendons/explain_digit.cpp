@@ -82,11 +82,10 @@ class Explainer {
       drop("hood", digit.name, "separate tendons were asked for");
     } else {
       const HoodRule& rule = *digit.hood;
-      std::vector<std::string> muscles;
-      for (const HoodBranch& branch : rule.branches) muscles.push_back(branch.muscle);
-      explanation_.hood = fmt::format("{} feed central slip {}, bands {} and {}, terminal slip {}",
-                                      fmt::join(muscles, ", "), rule.central_slip, rule.radial_band,
-                                      rule.ulnar_band, rule.terminal_slip);
+      explanation_.hood =
+          fmt::format("{} feed central slip {}, bands {} and {}, terminal slip {}",
+                      fmt::join(transformed(rule.branches, &HoodBranch::muscle), ", "),
+                      rule.central_slip, rule.radial_band, rule.ulnar_band, rule.terminal_slip);
     }
   }
 

@@ -131,26 +131,6 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
   return abilities;
 }
 
-HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
-                        const CompareOptions& options, const Progress& progress) {
-  require_numbers(options);
-  require_hands({hand}, {object}, options.materials);
-  LazyCollisionHand lazy_hand(hand, options.materials);
-  LazyObject lazy_object(object, scale, options.materials);
-  CellWork work(lazy_hand, lazy_object, options, progress);
-  TaskQueue queue;
-  work.add_to(queue);
-  queue.run(threads_or_all(options.threads),
-            [&] { progress(static_cast<double>(work.tried()) / options.approaches, ""); });
-  if (work.done()) return work.take_result();
-  // A cell that was stopped is marked by zero approaches.
-  HandOnObject stopped;
-  stopped.hand = hand.name;
-  stopped.object = object.name;
-  stopped.scale = scale;
-  return stopped;
-}
-
 namespace {
 
 /// All tasks of a comparison, hand by hand, with its finished results in this order.

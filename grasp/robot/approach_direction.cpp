@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -52,9 +54,10 @@ std::vector<FacedDirection> directions_of_face(const Vector3d& face, const Vecto
 /// Merges nearly equal directions into their mean weighted by area, and sorts them by area, largest
 /// first.
 std::vector<FacedDirection> merge_directions(std::vector<FacedDirection> all) {
-  std::stable_sort(all.begin(), all.end(), [](const FacedDirection& a, const FacedDirection& b) {
+  const auto larger = [](const FacedDirection& a, const FacedDirection& b) {
     return a.area > b.area;
-  });
+  };
+  std::stable_sort(all.begin(), all.end(), larger);
   // Each direction joins the first group that is near enough, or starts one.
   std::vector<FacedDirection> groups;
   for (const FacedDirection& one : all) {
@@ -69,9 +72,7 @@ std::vector<FacedDirection> merge_directions(std::vector<FacedDirection> all) {
     same->area += one.area;
   }
   // Areas of groups have changed their order.
-  std::stable_sort(
-      groups.begin(), groups.end(),
-      [](const FacedDirection& a, const FacedDirection& b) { return a.area > b.area; });
+  std::stable_sort(groups.begin(), groups.end(), larger);
   return groups;
 }
 
@@ -93,8 +94,7 @@ std::optional<Vector3d> facing_direction(const Matrix3Xd& faces, const Vector3d&
   // Directions of all faces near the rough one.
   std::vector<FacedDirection> near;
   for (Eigen::Index i = 0; i < faces.cols(); ++i)
-    for (const FacedDirection& one : directions_of_face(faces.col(i), rough, cosine, line))
-      near.push_back(one);
+    append_all(near, directions_of_face(faces.col(i), rough, cosine, line));
   const std::vector<FacedDirection> groups = merge_directions(std::move(near));
   // The largest group must be large enough, and no other of similar area.
   if (groups.empty() || groups[0].area < kMinFaceFraction * faces.colwise().norm().sum()) return {};

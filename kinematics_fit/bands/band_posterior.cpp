@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/expected_information.h"
@@ -87,8 +88,7 @@ void fit_all_sets(KnownSets& known, std::size_t bands, const Progress& progress)
   }
 
   // Fit each again from the best of its neighbours: a search may have missed the mode.
-  std::vector<Topology> sets;
-  for (const auto& [set, evidence] : known.sets()) sets.push_back(set);
+  const std::vector<Topology> sets = map_keys(known.sets());
   for (std::size_t i = 0; i < sets.size() && !progress.stop(); ++i) {
     progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(sets.size()),
              "sets of bands again");

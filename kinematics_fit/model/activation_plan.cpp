@@ -1,11 +1,9 @@
 #include "kinematics_fit/model/activation_plan.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include <fmt/ranges.h>
-
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -19,36 +17,26 @@ class TaskPlanner {
   [[nodiscard]] ActivationTask plan(const ActivationRow& row) {
     ActivationTask task{{}, row.force, force_sd(experiment_, row)};
     // Find the posture by name.
-    const std::vector<std::string>& postures = out_.plan.posture_names;
-    const auto posture = std::find(postures.begin(), postures.end(), row.posture);
-    require(posture != postures.end(), "activation row names posture '{}', which is not defined",
-            row.posture);
+    const int posture = place_in(out_.plan.posture_names, row.posture);
+    require(posture >= 0, "activation row names posture '{}', which is not defined", row.posture);
     for (const auto& [name, activation] : row.activation) {
       // Skip a muscle that is known to be inactive.
       const double sd = row.sd.at(name);
       if (activation == 0 && sd == 0) continue;
-      const int muscle = find_muscle(name);
+      const int muscle = muscle_index(digit_, name);
       const double max_tension = digit_.max_tension[muscle];
       require(std::isfinite(max_tension),
               "experiment '{}' states the activation of '{}', whose max_force the subject does not "
               "say",
               experiment_.name, name);
       // Add the expected tension, and its variance.
-      task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
-                            max_tension * activation, std::pow(max_tension * sd, 2)});
+      task.pulls.push_back(
+          {column(posture, muscle), max_tension * activation, std::pow(max_tension * sd, 2)});
     }
     return task;
   }
 
  private:
-  [[nodiscard]] int find_muscle(const std::string& name) const {
-    const std::vector<std::string>& names = digit_.names.muscles;
-    const auto found = std::find(names.begin(), names.end(), name);
-    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", name,
-            fmt::join(names, ", "));
-    return static_cast<int>(found - names.begin());
-  }
-
   /// Returns the column of a unit pull, which is added when it is first needed.
   int column(int posture, int muscle) {
     // Return the column if it exists.

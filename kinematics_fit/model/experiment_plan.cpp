@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "kinematics_fit/model/force_site.h"
 #include "kinematics_fit/model/net_trials.h"
@@ -172,22 +173,15 @@ std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& pl
 
 Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
   // Set the stated tensions; muscles that a trial does not name are slack.
-  const std::vector<std::string>& names = digit.names.muscles;
-  Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
-  for (const auto& [muscle, tension] : trial.tension) {
-    const auto found = std::find(names.begin(), names.end(), muscle);
-    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", muscle,
-            fmt::join(names, ", "));
-    t[found - names.begin()] = tension;
-  }
+  Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size()));
+  for (const auto& [muscle, tension] : trial.tension) t[muscle_index(digit, muscle)] = tension;
   return t;
 }
 
 int posture_index(const ExperimentPlan& plan, const std::string& name) {
-  const auto& names = plan.posture_names;
-  const auto found = std::find(names.begin(), names.end(), name);
-  require(found != names.end(), "trial names posture '{}', which is not defined", name);
-  return static_cast<int>(found - names.begin());
+  const int found = place_in(plan.posture_names, name);
+  require(found >= 0, "trial names posture '{}', which is not defined", name);
+  return found;
 }
 
 int link_named(const TendonDigit& digit, const Experiment& experiment, const std::string& segment) {
@@ -313,6 +307,13 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
 
 }  // namespace
 
+int muscle_index(const TendonDigit& digit, const std::string& name) {
+  const int found = place_in(digit.names.muscles, name);
+  require(found >= 0, "no muscle '{}' pulls on this digit; there are {}", name,
+          fmt::join(digit.names.muscles, ", "));
+  return found;
+}
+
 ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
                                const Experiment& experiment) {
   // Check that the experiment is of this digit.
@@ -333,9 +334,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   for (const PostureRecord& record : experiment.postures) {
     plan.postures.push_back(posture(digit.skeleton, record.angles));
     plan.posture_names.push_back(record.name);
-    const auto& known = parameters.postures;
-    const auto key = std::find(known.begin(), known.end(), record.name);
-    plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
+    plan.posture_key.push_back(place_in(parameters.postures, record.name));
   }
 
   // Resolve posture, site and tensions of each trial.

@@ -55,6 +55,10 @@ struct ExperimentPlan {
                                              const FitParameters& parameters,
                                              const Experiment& experiment);
 
+/// Returns the index of a muscle of the digit. @throws InputError if the digit has none of this
+/// name
+[[nodiscard]] int muscle_index(const TendonDigit& digit, const std::string& name);
+
 /// Returns the site at which trial i was measured: an index in plan.sites, or -1 for the tip.
 [[nodiscard]] inline int site_of(const ExperimentPlan& plan, std::size_t trial) {
   return trial < plan.site_of_trial.size() ? plan.site_of_trial[trial] : -1;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -141,9 +142,7 @@ void require_laid(const TendonDigit& digit, const FitParameters& fit) {
 void free_without_leader(const FitParameters& fit, std::vector<Choice>& choices) {
   for (Choice& choice : choices) {
     if (choice.state != ParameterState::kTied || !choice.optional) continue;
-    const bool is_there = std::any_of(fit.all.begin(), fit.all.end(),
-                                      [&](const Parameter& p) { return p.name == choice.tie_to; });
-    if (!is_there) choice.state = ParameterState::kFree;
+    if (find_named(fit.all, choice.tie_to) == nullptr) choice.state = ParameterState::kFree;
   }
 }
 
@@ -256,9 +255,7 @@ std::vector<double> values_with(const FitParameters& parameters, const std::vect
                                 const Eigen::Ref<const Eigen::VectorXd>& values) {
   require(static_cast<Eigen::Index>(moving.size()) == values.size(),
           "{} parameters move, but there are values of {}", moving.size(), values.size());
-  std::vector<double> all;
-  all.reserve(parameters.all.size());
-  for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
+  std::vector<double> all = transformed(parameters.all, &Parameter::mean);
   for (std::size_t k = 0; k < moving.size(); ++k) all[moving[k]] = values[k];
   return all;
 }

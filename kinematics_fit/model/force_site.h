@@ -41,7 +41,7 @@ template <typename T>
 /// along that segment's proximal, dorsal and radial directions [1] (3, muscles).
 ///
 /// Only the joints between the base and the held segment load the cell:  loads c = R' t  in their
-/// rows, as in tip_force_map(). Torque about the distal joints does not reach the cell: joint
+/// rows, as in held_tip_forces(). Torque about the distal joints does not reach the cell: joint
 /// limits, a splint or the hand that holds the rest of the finger balance it. If there are fewer
 /// joints than loads, the forces have minimum norm, because torques do not determine how bones and
 /// cell share the load.

@@ -21,10 +21,6 @@ VectorXd arriving_tensions(const SpecimenModel<double>& model, const ExperimentP
   return model.gain.cwiseProduct(plan.tension[i]);
 }
 
-bool unbalanced(const NetEquilibrium& rest) {
-  return rest.status == NetStatus::kStalled || rest.status == NetStatus::kFarSideWrap;
-}
-
 /// Moves nodes with their links, from link coordinates to space [m] (3, nodes).
 Matrix3Xd from_link_frames(const Net& net, const TreeState<double>& state, const Matrix3Xd& at) {
   Matrix3Xd x(3, at.cols());
@@ -73,9 +69,9 @@ NetTrials net_trials(const SpecimenModel<double>& model, const ExperimentPlan& p
                                     arriving_tensions(model, plan, i));
     const Matrix3Xd start = from_link_frames(out.net, trial.state, plan.net_start[i]);
     trial.rest = solver.solve(trial.state, trial.drive, &start);
-    if (unbalanced(trial.rest)) {
+    if (is_unbalanced(trial.rest)) {
       NetEquilibrium cold = solver.solve(trial.state, trial.drive);
-      if (!unbalanced(cold)) trial.rest = std::move(cold);
+      if (!is_unbalanced(cold)) trial.rest = std::move(cold);
     }
     // Map the bands' tensions to torques.
     trial.tau =

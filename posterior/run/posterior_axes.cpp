@@ -1,7 +1,6 @@
 #include "posterior/run/posterior_axes.h"
 
-#include <algorithm>
-
+#include "base/lists.h"
 #include "base/units.h"
 #include "kinematics_fit/model/predict_forces.h"
 #include "posterior/hand_posterior.h"
@@ -21,13 +20,12 @@ std::vector<NeighbouringAxes> moving_axes(const HandPosterior& posterior) {
   const FitProblem& problem = posterior.problem();
   const std::vector<int> moving = posterior.moving_parameters();
   std::vector<NeighbouringAxes> pairs = neighbouring_axes(problem.digit());
-  const auto stands_still = [&](const NeighbouringAxes& pair) {
-    return std::none_of(moving.begin(), moving.end(), [&](int p) {
+  erase_where(pairs, [&](const NeighbouringAxes& pair) {
+    return !any_of(moving, [&](int p) {
       const Parameter& parameter = problem.parameters().all[p];
       return moves_axis(parameter, pair.first) || moves_axis(parameter, pair.second);
     });
-  };
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), stands_still), pairs.end());
+  });
   return pairs;
 }
 

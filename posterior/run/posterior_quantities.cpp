@@ -74,9 +74,7 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
 }
 
 std::vector<std::string> experiment_names(const FitProblem& problem) {
-  std::vector<std::string> names;
-  for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
-  return names;
+  return names_of(problem.experiments());
 }
 
 std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {

@@ -48,11 +48,6 @@ bool is_differentiable(const Net& net, const NetEquilibrium& rest) {
   return why_not_differentiable(net, rest).empty();
 }
 
-/// Returns whether the search found no equilibrium.
-bool is_unbalanced(const NetEquilibrium& rest) {
-  return rest.status == NetStatus::kStalled || rest.status == NetStatus::kFarSideWrap;
-}
-
 }  // namespace
 
 double largest_deviation(const Net& net, const std::vector<int>& loose_before, const Matrix3Xd& x,

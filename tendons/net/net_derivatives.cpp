@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using internal::NetPerturbation;
 using internal::TangentNet;
 
@@ -28,13 +27,6 @@ TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetD
 double by_slack(const TangentNet& tangent, std::size_t b) {
   if (tangent.scene.pull[b] >= 0) return 0;
   return -tangent.band[b].pull.stiffness * tangent.band[b].chord.length / tangent.scene.slack[b];
-}
-
-/// Computes d tension / d EA at fixed length [1].
-// NOLINTNEXTLINE(readability-identifier-naming): EA is the axial stiffness
-double by_EA(const TangentNet& tangent, std::size_t b) {
-  if (tangent.scene.pull[b] >= 0) return 0;
-  return tangent.band[b].pull.tension / tangent.net.bands[b].EA;
 }
 
 /// Returns whether a muscle is given by its length.
@@ -67,28 +59,6 @@ MatrixXd length_by_posture(const TangentNet& tangent, const Tree<double>& tree,
   return slopes;
 }
 
-/// Computes one column of derivatives per input.
-NetJacobian jacobian_of(const TangentNet& tangent, const Tree<double>& tree,
-                        const TreeState<double>& state, const std::vector<NetPerturbation>& inputs,
-                        int coordinates) {
-  // Allocate one column per input.
-  const auto count = static_cast<Index>(inputs.size());
-  const auto bands = static_cast<Index>(tangent.band.size());
-  NetJacobian out{MatrixXd(tangent.rest.x.size(), count), MatrixXd(bands, count),
-                  MatrixXd(coordinates, count)};
-  // Compute node velocities, then rates of tensions and torque.
-  for (Index i = 0; i < count; ++i) {
-    const NetPerturbation& input = inputs[i];
-    const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
-    out.x.col(i) = Eigen::Map<const VectorXd>(v.data(), v.size());
-    for (Index b = 0; b < bands; ++b)
-      out.tension(b, i) =
-          tangent.collapsed[b] >= 0 ? 0 : internal::band_rate(tangent, b, input, v).tension;
-    out.tau.col(i) = internal::torque_rate(tangent, tree, state, input, v, coordinates);
-  }
-  return out;
-}
-
 /// Builds inputs that change tensions at fixed lengths, one per column of D (bands, inputs).
 std::vector<NetPerturbation> tension_inputs(const TangentNet& tangent, std::size_t links,
                                             const MatrixXd& D) {
@@ -96,27 +66,6 @@ std::vector<NetPerturbation> tension_inputs(const TangentNet& tangent, std::size
   for (Index i = 0; i < D.cols(); ++i) {
     inputs.push_back(internal::zero_perturbation(tangent.net, links));
     inputs.back().tension = D.col(i);
-  }
-  return inputs;
-}
-
-/// Builds inputs that move one fixed node along x, y or z each.
-std::vector<NetPerturbation> place_inputs(const Net& net, std::size_t links) {
-  std::vector<NetPerturbation> inputs;
-  for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    for (Index c = 0; c < 3; ++c) {
-      inputs.push_back(internal::zero_perturbation(net, links));
-      if (!net.nodes[i].free) inputs.back().node(c, static_cast<Index>(i)) = 1;
-    }
-  return inputs;
-}
-
-/// Builds inputs that increase the radius of one bone each.
-std::vector<NetPerturbation> radius_inputs(const Net& net, std::size_t links) {
-  std::vector<NetPerturbation> inputs;
-  for (std::size_t s = 0; s < net.surfaces.size(); ++s) {
-    inputs.push_back(internal::zero_perturbation(net, links));
-    if (internal::has_radius(net.surfaces[s])) inputs.back().radius[s] = 1;
   }
   return inputs;
 }
@@ -179,34 +128,6 @@ MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree, const TreeS
                                          internal::node_rates(tangent, input), coordinates);
   }
   return slope;
-}
-
-NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
-                               const TreeState<double>& state, const NetDrive& drive,
-                               const NetEquilibrium& rest, int coordinates) {
-  const TangentNet tangent = tangent_at(net, state, drive, rest);
-  // Set up the inputs by stiffness and slack length of bands.
-  const auto bands = static_cast<Index>(net.bands.size());
-  VectorXd EA(bands), slack(bands);
-  for (std::size_t b = 0; b < net.bands.size(); ++b) {
-    EA(static_cast<Index>(b)) = by_EA(tangent, b);
-    slack(static_cast<Index>(b)) =
-        driven_by_length(drive, net.bands[b].muscle) ? 0 : by_slack(tangent, b);
-  }
-  // Set up the inputs by joint coordinates.
-  std::vector<NetPerturbation> turns;
-  turns.reserve(static_cast<std::size_t>(coordinates));
-  for (int l = 0; l < coordinates; ++l)
-    turns.push_back(internal::joint_perturbation(net, tree, state, l));
-  const auto slopes = [&](const std::vector<NetPerturbation>& inputs) {
-    return jacobian_of(tangent, tree, state, inputs, coordinates);
-  };
-  return {slopes(turns),
-          slopes(tension_inputs(tangent, tree.size(), tension_by_drive(tangent, drive))),
-          slopes(tension_inputs(tangent, tree.size(), EA.asDiagonal())),
-          slopes(tension_inputs(tangent, tree.size(), slack.asDiagonal())),
-          slopes(place_inputs(net, tree.size())),
-          slopes(radius_inputs(net, tree.size()))};
 }
 
 }  // namespace thenar

@@ -59,28 +59,4 @@ struct LengthSlopes {
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 int coordinates);
 
-/// Derivatives of (x, tension, tau) by one group of inputs.
-struct NetJacobian {
-  Eigen::MatrixXd x;        // positions of all nodes, stacked (3 nodes, inputs)
-  Eigen::MatrixXd tension;  // tensions of all bands (bands, inputs)
-  Eigen::MatrixXd tau;      // joint torque (coordinates, inputs)
-};
-
-/// Derivatives of an equilibrium by all inputs.
-struct NetDerivatives {
-  NetJacobian by_posture;  // by q [1/rad]
-  NetJacobian by_drive;    // by each muscle's tension [1/N], or length [1/m]
-  NetJacobian by_EA;       // by each band's EA [1/N]
-  NetJacobian by_slack;    // by each band's slack length [1/m]
-  NetJacobian by_place;  // by world x, y, z of each fixed node in turn, on its link; 0 for floating
-                         // nodes [1/m]
-  NetJacobian by_radius;  // by the radius of each surface; 0 for ellipsoids and tori [1/m]
-};
-
-/// Computes all derivatives, one linear solve per input; the torque alone needs fewer.
-/// @throws InputError as in why_not_differentiable().
-[[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
-                                             const TreeState<double>& state, const NetDrive& drive,
-                                             const NetEquilibrium& rest, int coordinates);
-
 }  // namespace thenar

@@ -20,7 +20,7 @@ constexpr double kMaxResidualRatio = 1e-6;
 
 /// Returns whether an equilibrium is balanced, at least to kMaxResidualRatio.
 bool is_balanced(const Net& net, const NetEquilibrium& rest) {
-  if (rest.status != NetStatus::kStalled && rest.status != NetStatus::kFarSideWrap) return true;
+  if (!is_unbalanced(rest)) return true;
   double largest = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0) largest = std::max(largest, rest.tension[b]);

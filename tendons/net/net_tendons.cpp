@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_follower.h"
 #include "tendons/net/net_pull.h"
@@ -24,13 +25,6 @@ double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
   double sum = 0;
   for (int b : bands) sum += tension[b];
   return sum;
-}
-
-/// Returns the indices of collapsed bands.
-std::vector<int> collapsed_bands(const NetEquilibrium& rest) {
-  std::vector<int> bands;
-  for (const CollapsedBand& collapsed : rest.collapsed) bands.push_back(collapsed.band);
-  return bands;
 }
 
 /// Describes the overstrained band with the largest tension.
@@ -148,7 +142,7 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
     case NetStatus::kOverstrained:
       return overstrained(net, rest);
     case NetStatus::kNodeCollapsed:
-      return drawn_band_names(net, collapsed_bands(rest));
+      return drawn_band_names(net, transformed(rest.collapsed, &CollapsedBand::band));
     case NetStatus::kBalanced:
       break;
   }

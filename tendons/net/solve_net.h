@@ -75,6 +75,11 @@ struct [[nodiscard]] NetEquilibrium {
   double energy = 0;            // E [J]
 };
 
+/// Returns whether the search found no equilibrium.
+[[nodiscard]] inline bool is_unbalanced(const NetEquilibrium& rest) {
+  return rest.status == NetStatus::kStalled || rest.status == NetStatus::kFarSideWrap;
+}
+
 /// Solver of one net, of which it keeps a copy, at any posture and load. It holds the elimination
 /// order and a workspace, which do not affect results: use one solver per thread.
 class NetSolver {

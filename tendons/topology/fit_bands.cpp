@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -118,9 +119,7 @@ BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorX
 }
 
 Presences topology_presences(const std::vector<bool>& bands) {
-  Presences presences;
-  for (bool band : bands) presences.push_back(band ? Presence::kYes : Presence::kNo);
-  return presences;
+  return transformed(bands, [](bool band) { return band ? Presence::kYes : Presence::kNo; });
 }
 
 }  // namespace thenar

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
@@ -21,10 +22,7 @@ std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double 
     changes.emplace_back(score({next, tried.fit(next, here.fit.s)}, price), c);
   }
   std::sort(changes.begin(), changes.end());
-  std::vector<int> order;
-  order.reserve(changes.size());
-  for (const auto& [least, c] : changes) order.push_back(c);
-  return order;
+  return transformed(changes, &std::pair<double, int>::second);
 }
 
 /// Tries pairs of the changes that alone increase the score least, until one helps.

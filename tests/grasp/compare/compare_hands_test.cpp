@@ -71,14 +71,18 @@ void expect_same(const HandOnObject& a, const HandOnObject& b) {
   }
 }
 
+/// The only cell of the jaws on the cube.
+HandOnObject jaws_on_cube(const CompareOptions& options) {
+  return compare({compared("jaws", sample::jaws())}, {cube()}, options).cells.at(0);
+}
+
 TEST(Compare, GivesTheSameOnAnyNumberOfThreads) {
-  const ComparedHand hand = compared("jaws", sample::jaws());
-  const HandOnObject one = compare_on(hand, cube(), 1, few(1));
-  expect_same(one, compare_on(hand, cube(), 1, few(3)));
+  const HandOnObject one = jaws_on_cube(few(1));
+  expect_same(one, jaws_on_cube(few(3)));
   EXPECT_GT(one.closures, 0);
   CompareOptions other = few(1);
   other.seed = 2;
-  EXPECT_NE(listed(compare_on(hand, cube(), 1, other).epsilon), listed(one.epsilon));
+  EXPECT_NE(listed(jaws_on_cube(other).epsilon), listed(one.epsilon));
 }
 
 // Pieces of all pairs are done in any order; pairs are kept in that of hands and objects.
@@ -111,7 +115,7 @@ TEST(Compare, KeepsPairsInOrderOnAnyNumberOfThreads) {
 }
 
 TEST(Compare, CountsEveryApproachOnce) {
-  const HandOnObject cell = compare_on(compared("jaws", sample::jaws()), cube(), 1, few());
+  const HandOnObject cell = jaws_on_cube(few());
   int sum = 0;
   for (const int times : cell.outcomes) sum += times;
   EXPECT_EQ(sum, 24);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "tests/kinematics_fit/fit_samples.h"
+#include "tests/kinematics_fit/model/tip_force_map.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/kinematics_fit/fit_samples.h"
+#include "tests/kinematics_fit/model/tip_force_map.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

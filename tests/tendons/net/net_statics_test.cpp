@@ -11,6 +11,7 @@
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_tendons.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/net/net_derivatives.h"
 #include "tests/tendons/net/sample_nets.h"
 
 namespace thenar {
