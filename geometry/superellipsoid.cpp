@@ -143,9 +143,7 @@ struct Bound {
 /// Zero where the curvature forbids it.
 Vector3d newton_step(const Norm::Value& at, const Vector3d& arm) {
   // Compute the curvature in the tangent plane.
-  const Tangents tangent = tangents(at.gradient);
-  Eigen::Matrix<double, 3, 2> basis;
-  basis << tangent.e1, tangent.e2;
+  const Eigen::Matrix<double, 3, 2> basis = basis_along(at.gradient).leftCols<2>();
   const Eigen::Matrix2d M = Eigen::Matrix2d::Identity() +
                             at.gradient.dot(arm) * at.norm * (basis.transpose() * at.bend * basis);
   // Solve the 2 x 2 system, if it is positive definite.

@@ -15,15 +15,12 @@ std::vector<double> times_of(const std::vector<SceneSample>& samples) {
 }
 
 /// Interpolates the positions between two instants. @param fraction  0: from, 1: to
-Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLayout& layout,
-                                  const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                  double fraction) {
+Eigen::VectorXd positions_between(const MechanismLayout& layout, const Eigen::VectorXd& from,
+                                  const Eigen::VectorXd& to, double fraction) {
   // Interpolate all positions linearly.
   Eigen::VectorXd q = from + fraction * (to - from);
   // Replace the quaternions of ball and free joints by slerp.
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const JointKind kind = mechanism.joints[i].kind;
-    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+  for (const int i : layout.quaternion_joints) {
     const int k = layout.first_q[i];
     const auto rotation = [&](const Eigen::VectorXd& p) {
       return Eigen::Quaterniond(p[k], p[k + 1], p[k + 2], p[k + 3]).normalized();
@@ -60,8 +57,7 @@ Eigen::VectorXd RecordedMotion::positions() const {
   const Interpolation at = interpolation();
   const Eigen::VectorXd& from = run_.samples[at.from].q;
   if (at.from == at.to) return from;
-  return positions_between(run_.built.scene.mechanism, model_.layout, from, run_.samples[at.to].q,
-                           at.fraction);
+  return positions_between(model_.layout, from, run_.samples[at.to].q, at.fraction);
 }
 
 Eigen::VectorXd RecordedMotion::speeds() const {

@@ -16,9 +16,7 @@ LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap,
   if (force <= 0) {
     // Without contact, the elastic force takes the value that cancels the history.
     remember(weights, std::max(0.0, -history / weights.now), memory);
-    LawContact apart;
-    apart.patch.depth = depth;
-    return apart;
+    return internal::no_contact(depth);
   }
   // In contact, set the force and stiffness of the step.
   remember(weights, contact.force, memory);
@@ -43,6 +41,12 @@ GapRadius checked_gap(const RelativeCurvatures& gap, double depth, double force,
   require(force >= 0 && friction >= 0 && std::isfinite(force + friction),
           "force and friction must be finite and >= 0, got {} N and {}", force, friction);
   return radius;
+}
+
+LawContact no_contact(double depth) {
+  LawContact apart;
+  apart.patch.depth = depth;
+  return apart;
 }
 
 }  // namespace internal

@@ -70,6 +70,8 @@ struct GapRadius {
 /// @throws InputError as radius_of(), or unless the load is finite, and force and friction not
 ///         negative.
 GapRadius checked_gap(const RelativeCurvatures& gap, double depth, double force, double friction);
+/// Returns the contact without force at a depth [m].
+[[nodiscard]] LawContact no_contact(double depth);
 }  // namespace internal
 
 }  // namespace thenar

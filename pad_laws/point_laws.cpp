@@ -10,12 +10,6 @@
 namespace thenar {
 namespace {
 
-LawContact no_contact(double depth) {
-  LawContact apart;
-  apart.patch.depth = depth;
-  return apart;
-}
-
 /// Returns the tangential stiffness of a sticking circle on an incompressible half space, nu = 1/2
 /// [N/m].
 double shear_of(double modulus, double radius) { return 16.0 / 3 * modulus * radius; }
@@ -38,7 +32,7 @@ void check_powers(double force, double depth_exponent, double patch, double patc
 LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
   (void)internal::checked_gap(gap, depth, 0, friction);
   // A rigid point has no force up to depth 0, infinite stiffness there, and infinite force beyond.
-  LawContact contact = no_contact(depth);
+  LawContact contact = internal::no_contact(depth);
   if (depth >= 0) contact.stiffness = contact.shear = kInfinity;
   if (depth > 0) contact.force = kInfinity;
   return contact;
@@ -75,7 +69,7 @@ LawContact PowerLaw::answer(double depth, double force, double friction) const {
 
 LawContact PowerLaw::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
   (void)internal::checked_gap(gap, depth, 0, friction);
-  if (depth <= 0) return no_contact(depth);
+  if (depth <= 0) return internal::no_contact(depth);
   return answer(depth, c_.force * std::pow(depth / kLawDepth, c_.depth_exponent), friction);
 }
 
@@ -115,7 +109,7 @@ LawContact SoftFinger::answer(const internal::GapRadius& gap, double depth, doub
 LawContact SoftFinger::at_depth(const RelativeCurvatures& gap, double depth,
                                 double friction) const {
   const internal::GapRadius shape = internal::checked_gap(gap, depth, 0, friction);
-  if (depth <= 0) return no_contact(depth);
+  if (depth <= 0) return internal::no_contact(depth);
   const double force = c_.force * std::pow(depth / kLawDepth, c_.depth_exponent) *
                        std::pow(shape.radius / kLawRadius, c_.radius_exponent);
   return answer(shape, depth, force, friction);

@@ -59,8 +59,8 @@ class PowerLaw final : public ContactLaw {
 ///   F = k (depth / 1 mm)^n (R / 10 mm)^q,        torsion = share mu mean_radius(a, b),
 ///   sqrt(a b) = c (F / 1 N)^gamma (R / 10 mm)^s,  a / b = (k1 / k2)^e.
 /// Hertz's contact of balls has n = 3/2, q = 1/2, gamma = s = 1/3; a layer of linear springs n = 2,
-/// q = 1, gamma = s = 1/4, e = 1/2. The limit surface is limit_ellipsoid() with this torsion, the
-/// tangential stiffness that of PowerLawConstants at sqrt(a b).
+/// q = 1, gamma = s = 1/4, e = 1/2. The limit surface is the ellipsoid of [Howe1996] with this
+/// torsion, the tangential stiffness that of PowerLawConstants at sqrt(a b).
 struct SoftFingerConstants {
   double force = 0;            // k: force at a depth of 1 mm and a radius of 10 mm [N]
   double depth_exponent = 1;   // n, > 0 [1]

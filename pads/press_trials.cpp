@@ -48,9 +48,12 @@ bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
          nodes >= kMinNodes && press.arm > kMinArmRatio * std::sqrt(press.area);
 }
 
-/// Returns a pose whose z axis is `z`, at a distance from the origin opposite to `along`.
-Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
-  return frame_with_z(z, -distance * along);
+/// Returns the trial of a frictionless shape whose z axis is `z`, at a distance from the origin
+/// opposite to `along`.
+PressTrial trial_by(const std::string& name, const std::shared_ptr<const Shape>& shape,
+                    const Vector3d& z, const Vector3d& along, double distance,
+                    const std::vector<double>& depths) {
+  return {name, {shape, 0}, frame_with_z(z, -distance * along), along, depths};
 }
 
 /// Presses the pad in one trial, depth by depth.
@@ -117,27 +120,18 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   const double far = 1e-3 + reach_of(shape);
   const auto plane = [&](double angle, const std::vector<double>& to) {
     const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
-    return PressTrial{fmt::format("plane at {:.0f} degrees", degrees(angle)),
-                      {build_box({0.2, 0.2, 0.2}), 0},
-                      posed(-along, along, far + 0.1),
-                      along,
-                      to};
+    return trial_by(fmt::format("plane at {:.0f} degrees", degrees(angle)),
+                    build_box({0.2, 0.2, 0.2}), -along, along, far + 0.1, to);
   };
   const auto ball = [&](double radius, const std::vector<double>& to) {
-    return PressTrial{fmt::format("ball of {:g} mm", radius / kMm),
-                      {build_sphere(radius), 0},
-                      posed({0, 0, 1}, {0, 0, -1}, far + radius),
-                      {0, 0, -1},
-                      to};
+    return trial_by(fmt::format("ball of {:g} mm", radius / kMm), build_sphere(radius), {0, 0, 1},
+                    {0, 0, -1}, far + radius, to);
   };
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
     constexpr double kRodRadius = 8e-3;  // radius of the cylinder [m]
-    return PressTrial{"cylinder of 8 mm " + way,
-                      {build_cylinder(kRodRadius, 0.2), 0},
-                      posed(axis, {0, 0, -1}, far + kRodRadius),
-                      {0, 0, -1},
-                      to};
+    return trial_by("cylinder of 8 mm " + way, build_cylinder(kRodRadius, 0.2), axis, {0, 0, -1},
+                    far + kRodRadius, to);
   };
   return {
       {plane(0, depths), plane(30 * kDegree, depths), ball(5e-3, depths), ball(20e-3, depths),

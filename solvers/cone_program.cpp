@@ -370,18 +370,6 @@ double recession_error(const ConeProgram& p, const VectorXd& d) {
   return max_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
 }
 
-/// Returns a result without an answer, kStalled.
-ConeResult stalled_result(const ConeProgram& p) {
-  return {Status::kStalled,
-          VectorXd::Zero(p.c.size()),
-          VectorXd::Zero(p.b.size()),
-          VectorXd::Zero(p.h.size()),
-          kInfinity,
-          kInfinity,
-          kInfinity,
-          0};
-}
-
 /// Sets kInfeasible if y and z of the result prove it; returns whether they do.
 bool certify_infeasible(const ConeProgram& p, double max_error, ConeResult& result) {
   result.residual = farkas_error(p, result.y, result.z);
@@ -414,7 +402,11 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
   const double max_error = 10 * options.acceptable_tolerance;
   const Presolve pre = presolve(program);
-  ConeResult result = stalled_result(program);
+  ConeResult result;
+  result.x = VectorXd::Zero(program.c.size());
+  result.y = VectorXd::Zero(program.b.size());
+  result.z = VectorXd::Zero(program.h.size());
+  result.objective = result.dual = result.residual = kInfinity;
   // Inconsistent equalities prove infeasibility.
   if (!pre.reduced) {
     result.y = pre.misfit;

@@ -157,13 +157,10 @@ class RunReader {
   void check_quaternions(const Eigen::VectorXd& q) const {
     const Mechanism& mechanism = out_.built.scene.mechanism;
     const MechanismLayout layout = layout_of(mechanism);
-    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-      const JointKind kind = mechanism.joints[i].kind;
-      if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    for (const int i : layout.quaternion_joints)
       if (std::abs(q.segment<4>(layout.first_q[i]).norm() - 1) > kUnitLength)
         fail(fmt::format("'position': the rotation of '{}' has not length 1",
                          mechanism.bodies[i].name));
-    }
   }
 
   void read_contacts() {

@@ -39,12 +39,10 @@ std::vector<std::string> entry_names(const Mechanism& mechanism, bool positions)
   // Poses are a quaternion and a place, speeds a spin and a velocity.
   static const std::vector<std::string> kPose{"qw", "qx", "qy", "qz", "x", "y", "z"};
   static const std::vector<std::string> kTwist{"wx", "wy", "wz", "vx", "vy", "vz"};
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const JointKind kind = mechanism.joints[i].kind;
-    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+  for (const int i : layout.quaternion_joints) {
     const auto first = static_cast<std::size_t>(positions ? layout.first_q[i] : layout.first_v[i]);
     const std::vector<std::string>& parts = positions ? kPose : kTwist;
-    const std::size_t count = parts.size() - (kind == JointKind::kBall ? 3 : 0);
+    const std::size_t count = parts.size() - (mechanism.joints[i].kind == JointKind::kBall ? 3 : 0);
     for (std::size_t k = 0; k < count; ++k)
       names[first + k] = mechanism.bodies[i].name + "/" + parts[k];
   }

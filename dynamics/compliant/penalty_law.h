@@ -1,6 +1,6 @@
 #pragma once
 
-/// Force laws of a compliant contact: normal force, friction and creep.
+/// Force laws of a compliant contact: normal force and friction.
 
 #include <Eigen/Core>
 

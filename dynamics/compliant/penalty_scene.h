@@ -20,7 +20,7 @@ namespace thenar {
 ///
 /// This is an accuracy reference for methods with rigid contacts: its result converges to theirs as
 /// the stiffness grows and the transition speed decreases, but sticking contacts creep, at
-/// creep_speed().
+/// the speed at which friction_ratio() gives their friction.
 ///
 /// Limitation: where the points of a contact change under load (a rolling mesh), forces jump and
 /// steps become short; the status is kFailed if CVODE gives up. A step in which surfaces move

@@ -88,6 +88,7 @@ MechanismLayout layout_of(const Mechanism& mechanism) {
       first_q = slot_q, first_v = slot_v;
     } else if (joint.kind != JointKind::kWeld) {
       first_q = layout.q, first_v = layout.v;
+      layout.quaternion_joints.push_back(static_cast<int>(layout.first_q.size()));
       layout.q += joint.kind == JointKind::kBall ? 4 : 7;
       layout.v += joint.kind == JointKind::kBall ? 3 : 6;
     }

@@ -90,15 +90,11 @@ struct Mechanism {
 struct MechanismLayout {
   std::vector<int> first_q, first_v;            // first entries of each joint; -1: weld (bodies)
   std::vector<int> coordinate_q, coordinate_v;  // entries of each coordinate (coordinates)
+  std::vector<int> quaternion_joints;           // balls and free joints; empty: v is the rate of q
   int q = 0, v = 0;                             // sizes of q and v
 };
 /// Computes the layout of a mechanism.
 [[nodiscard]] MechanismLayout layout_of(const Mechanism& mechanism);
-
-/// Returns true if there are only hinges, slides and welds: then v is the rate of q.
-[[nodiscard]] inline bool has_no_quaternion(const MechanismLayout& layout) {
-  return layout.q == layout.v;
-}
 
 /// Value of a hinge or slide, and its first and second derivatives by the coordinate.
 template <typename T>

@@ -51,13 +51,19 @@ class ByteReader {
   std::size_t at_ = 0;
 };
 
-template <typename Stream, typename Vector>
-void pass_vector(Stream& stream, Vector& vector) {
-  // Size first, so that a reader can allocate the vector.
-  auto size = static_cast<std::size_t>(vector.size());
+/// Passes the entries of a list by a function.
+template <typename Stream, typename List, typename Pass>
+void pass_list(Stream& stream, List& list, const Pass& pass) {
+  // Size first, so that a reader can allocate the list.
+  auto size = static_cast<std::size_t>(list.size());
   stream.pass_count(size);
-  vector.resize(static_cast<Eigen::Index>(size));
-  for (Eigen::Index i = 0; i < vector.size(); ++i) stream.pass_value(vector[i]);
+  list.resize(static_cast<decltype(list.size())>(size));
+  for (auto& each : list) pass(stream, each);
+}
+
+template <typename Stream, typename List>
+void pass_values(Stream& stream, List& list) {
+  pass_list(stream, list, [](Stream& to, auto& value) { to.pass_value(value); });
 }
 
 // Structured bindings make sure that a new member does not compile until it is passed, too.
@@ -76,14 +82,11 @@ template <typename Stream>
 void pass_sample(Stream& stream, SceneSample& sample) {
   auto& [t, q, v, z, contacts, energy, w] = sample;
   stream.pass_value(t);
-  pass_vector(stream, q);
-  pass_vector(stream, v);
-  pass_vector(stream, z);
-  pass_vector(stream, w);
-  std::size_t touching = contacts.size();
-  stream.pass_count(touching);
-  contacts.resize(touching);
-  for (ContactSample& contact : contacts) pass_contact(stream, contact);
+  pass_values(stream, q);
+  pass_values(stream, v);
+  pass_values(stream, z);
+  pass_values(stream, w);
+  pass_list(stream, contacts, pass_contact<Stream>);
   auto& [kinetic, weight, springs, of_elements, of_passive] = energy;
   for (double* each : {&kinetic, &weight, &springs, &of_elements, &of_passive})
     stream.pass_value(*each);
@@ -97,7 +100,7 @@ void pass_cost(Stream& stream, SceneCost& cost) {
        {&steps, &rejected, &substeps, &impacts, &bursts, &unsolved, &tunnelling, &inaccurate})
     stream.pass_value(*each);
   for (double* each : {&residual, &penetration, &rest, &cpu}) stream.pass_value(*each);
-  pass_vector(stream, excess);
+  pass_values(stream, excess);
 }
 
 /// Writes or reads a run; both use the same order of its parts.
@@ -105,15 +108,9 @@ template <typename Stream>
 void pass_run(Stream& stream, SceneRun& run) {
   auto& [status, samples, cost, reason] = run;
   stream.pass_value(status);
-  std::size_t instants = samples.size();
-  stream.pass_count(instants);
-  samples.resize(instants);
-  for (SceneSample& sample : samples) pass_sample(stream, sample);
+  pass_list(stream, samples, pass_sample<Stream>);
   pass_cost(stream, cost);
-  std::size_t letters = reason.size();
-  stream.pass_count(letters);
-  reason.resize(letters);
-  for (char& letter : reason) stream.pass_value(letter);
+  pass_values(stream, reason);
 }
 
 }  // namespace

@@ -224,11 +224,8 @@ void ContactStep::compute_poses(const SceneState& state, std::vector<Pose<double
 }
 
 void ContactStep::normalise_quaternions(Eigen::VectorXd& q) const {
-  if (has_no_quaternion(parts_->model.layout)) return;
-  const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)
-      q.segment<4>(parts_->model.layout.first_q[i]).normalize();
+  const MechanismLayout& layout = parts_->model.layout;
+  for (const int i : layout.quaternion_joints) q.segment<4>(layout.first_q[i]).normalize();
 }
 
 bool ContactStep::compute_free_rates(const SceneState& state, Eigen::VectorXd& q_dot,

@@ -94,9 +94,7 @@ void check_scene(const MovingScene& scene) {
           scene.v.size());
   require(scene.q.allFinite() && scene.v.allFinite(), "positions or speeds are not finite");
   // Check that quaternions have length 1.
-  for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
-    const JointKind kind = scene.mechanism.joints[i].kind;
-    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+  for (const int i : layout.quaternion_joints) {
     const double length = scene.q.segment<4>(layout.first_q[i]).norm();
     require(std::abs(length - 1) < 1e-6, "joint '{}': wanted a unit quaternion, its length is {}",
             scene.mechanism.joints[i].name, length);
@@ -153,16 +151,14 @@ double max_restitution(const MovingScene& scene) {
 void advance_positions(const Mechanism& mechanism, const MechanismLayout& layout,
                        const Eigen::VectorXd& v, double h, Eigen::VectorXd& q) {
   // Without quaternions, all positions advance linearly.
-  if (has_no_quaternion(layout)) {
+  if (layout.quaternion_joints.empty()) {
     q += h * v;
     return;
   }
   // Advance hinges and slides linearly, then balls and free joints.
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q[layout.coordinate_q[c]] += h * v[layout.coordinate_v[c]];
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const JointKind kind = mechanism.joints[i].kind;
-    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+  for (const int i : layout.quaternion_joints) {
     const int at_q = layout.first_q[i], at_v = layout.first_v[i];
     // Multiply the quaternion by exp(h w / 2), with w in the axes of the joint's F.
     const Eigen::Vector3d half = 0.5 * h * v.segment<3>(at_v);
@@ -175,28 +171,28 @@ void advance_positions(const Mechanism& mechanism, const MechanismLayout& layout
     q[at_q] = w * old[0] - x.dot(y);
     q.segment<3>(at_q + 1) = w * y + old[0] * x + x.cross(y);
     q.segment<4>(at_q).normalize();
-    if (kind == JointKind::kFree) q.segment<3>(at_q + 4) += h * v.segment<3>(at_v + 3);
+    if (mechanism.joints[i].kind == JointKind::kFree)
+      q.segment<3>(at_q + 4) += h * v.segment<3>(at_v + 3);
   }
 }
 
 void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& q_dot) {
   // Without quaternions, rates are velocities.
-  if (has_no_quaternion(layout)) {
+  if (layout.quaternion_joints.empty()) {
     q_dot = v;
     return;
   }
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q_dot[layout.coordinate_q[c]] = v[layout.coordinate_v[c]];
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const JointKind kind = mechanism.joints[i].kind;
-    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+  for (const int i : layout.quaternion_joints) {
     const int at_q = layout.first_q[i], at_v = layout.first_v[i];
     // Multiply (0, w / 2) by the quaternion.
     const Eigen::Vector3d half = 0.5 * v.segment<3>(at_v), y = q.segment<3>(at_q + 1);
     q_dot[at_q] = -half.dot(y);
     q_dot.segment<3>(at_q + 1) = q[at_q] * half + half.cross(y);
-    if (kind == JointKind::kFree) q_dot.segment<3>(at_q + 4) = v.segment<3>(at_v + 3);
+    if (mechanism.joints[i].kind == JointKind::kFree)
+      q_dot.segment<3>(at_q + 4) = v.segment<3>(at_v + 3);
   }
 }
 

@@ -151,9 +151,7 @@ class EllipsoidSearch {
   /// differences.
   [[nodiscard]] Vector3d newton(const Vector3d& n, const LowestPoint& here) const {
     constexpr double kTurnStep = 1e-6;  // finite-difference step of a direction [1]
-    const Tangents across = tangents(n);
-    Eigen::Matrix<double, 3, 2> T;
-    T << across.e1, across.e2;
+    const Eigen::Matrix<double, 3, 2> T = basis_along(n).leftCols<2>();
     const Vector2d f = T.transpose() * (here.seen.normal - n);
     Eigen::Matrix2d slope;
     for (int k = 0; k < 2; ++k) {

@@ -1,6 +1,6 @@
-// Tests for pad_laws/limit_surface.cpp.
+// Tests for the limit ellipsoid of soft contacts, against the exact limit surface.
 
-#include "pad_laws/limit_surface.h"
+#include "tests/pad_laws/limit_surface.h"
 
 #include <algorithm>
 #include <cmath>

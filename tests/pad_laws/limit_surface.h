@@ -1,6 +1,6 @@
 #pragma once
 
-/// Limit surface of a soft contact: combined tangential friction force and torsion.
+/// Exact limit surface of a soft contact: combined tangential friction force and torsion.
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "pad_laws/limit_surface.h"
+#include "tests/pad_laws/limit_surface.h"
 
 #include <cmath>
 
