@@ -59,9 +59,19 @@ struct Pose {
   Vec3<T> p = Vec3<T>::Zero();      // origin of B in A              [m] (3)
 
   [[nodiscard]] Vec3<T> operator*(const Vec3<T>& point) const { return R * point + p; }
-  [[nodiscard]] Pose operator*(const Pose& b) const { return {R * b.R, R * b.p + p}; }
-  [[nodiscard]] Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
+  [[nodiscard]] Pose operator*(const Pose& b) const;
+  [[nodiscard]] Pose inverse() const;
 };
+
+template <typename T>
+Pose<T> Pose<T>::operator*(const Pose& b) const {
+  return {R * b.R, R * b.p + p};
+}
+template <typename T>
+Pose<T> Pose<T>::inverse() const {
+  return {R.transpose(), -(R.transpose() * p)};
+}
+extern template struct Pose<double>;  // in spatial.cpp, as most files multiply poses
 
 /// Returns the rotation by Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
 /// @param d  unit axis (3);  @param a  angle [rad]
@@ -91,18 +101,12 @@ struct Wrench {
   Eigen::Vector3d moment{0, 0, 0};  // moment about a stated point [N m] (3)
   Eigen::Vector3d force{0, 0, 0};   // [N] (3)
 
-  Wrench& operator+=(const Wrench& b) {
-    moment += b.moment;
-    force += b.force;
-    return *this;
-  }
+  Wrench& operator+=(const Wrench& b);
 };
 
 /// Returns the wrench about the origin of a force at a point.
 /// @param p  point [m] (3);  @param f  force [N] (3)
-[[nodiscard]] inline Wrench wrench_of_force(const Eigen::Vector3d& p, const Eigen::Vector3d& f) {
-  return {p.cross(f), f};
-}
+[[nodiscard]] Wrench wrench_of_force(const Eigen::Vector3d& p, const Eigen::Vector3d& f);
 
 /// Two unit vectors that complete `d` to a right-handed frame (e1, e2, d). Source: [Duff2017]:
 /// continuous except at d.z = 0-, exact to rounding.
@@ -110,29 +114,14 @@ struct Tangents {
   Eigen::Vector3d e1;  // first tangent  (3)
   Eigen::Vector3d e2;  // second tangent (3)
 };
-[[nodiscard]] inline Tangents tangents(const Eigen::Vector3d& d) {
-  const double sign = std::copysign(1.0, d.z());
-  const double a = -1.0 / (sign + d.z()), b = d.x() * d.y() * a;
-  return {{1 + sign * d.x() * d.x() * a, sign * b, -sign * d.x()},
-          {b, sign + d.y() * d.y() * a, -d.y()}};
-}
+[[nodiscard]] Tangents tangents(const Eigen::Vector3d& d);
 
 /// Returns the rotation to the frame (e1, e2, d) of the tangents of `d`. (3, 3)
-[[nodiscard]] inline Eigen::Matrix3d basis_along(const Eigen::Vector3d& d) {
-  const Tangents across = tangents(d);
-  Eigen::Matrix3d R;
-  R << across.e1, across.e2, d;
-  return R;
-}
+[[nodiscard]] Eigen::Matrix3d basis_along(const Eigen::Vector3d& d);
 
 /// Returns a frame at a point whose axes are the tangents of a unit direction and, as z, the
 /// direction itself.
-[[nodiscard]] inline Pose<double> frame_with_z(const Eigen::Vector3d& direction,
-                                               const Eigen::Vector3d& point) {
-  Pose<double> frame;
-  frame.R = basis_along(direction);
-  frame.p = point;
-  return frame;
-}
+[[nodiscard]] Pose<double> frame_with_z(const Eigen::Vector3d& direction,
+                                        const Eigen::Vector3d& point);
 
 }  // namespace thenar

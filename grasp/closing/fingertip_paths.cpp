@@ -41,7 +41,7 @@ Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
   const Eigen::Matrix2Xd motion = plane * (tips[tips.size() / 2] - tips.front());
   // Principal direction of these motions.
   const Eigen::Matrix2d spread = motion * motion.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(Eigen::MatrixXd{spread});
   return (plane.transpose() * axes.eigenvectors().col(1)).normalized();
 }
 

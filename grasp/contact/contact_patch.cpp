@@ -144,7 +144,8 @@ Eigen::Vector2d step_to_minimum(const Shape& b, const Vector3d& p, const Tangent
     curve.col(k) = axes_of_plane.transpose() *
                    (b.nearest(p + kFitStep * axes_of_plane.col(k)).normal - n) / kFitStep;
   const Eigen::Vector2d slope = axes_of_plane.transpose() * n;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes((curve + curve.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(
+      Eigen::MatrixXd((curve + curve.transpose()) / 2));
   // Newton step along axes with positive curvature.
   Eigen::Vector2d step = Eigen::Vector2d::Zero();
   for (int k = 0; k < 2; ++k)

@@ -183,14 +183,14 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
 
 ScaledWrench resistible_part(const ForceSet& forces, const ScaledWrench& load) {
   // Directions without a wrench, by the squared wrenches along them.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(forces.wrench *
-                                                                        forces.wrench.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(
+      MatrixXd(forces.wrench * forces.wrench.transpose()));
   WrenchCoordinates resisted = load.vector();
   for (Index k = 0; k < 6; ++k) {
     if (axes.eigenvalues()[k] > kZeroWrench * axes.eigenvalues()[5]) break;
-    const double along = axes.eigenvectors().col(k).dot(load.vector());
-    if (std::abs(along) <= kPositionError * load.norm())
-      resisted -= along * axes.eigenvectors().col(k);
+    const WrenchCoordinates way = axes.eigenvectors().col(k);
+    const double along = way.dot(load.vector());
+    if (std::abs(along) <= kPositionError * load.norm()) resisted -= along * way;
   }
   return ScaledWrench::from_coordinates(resisted);
 }

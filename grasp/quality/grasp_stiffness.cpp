@@ -86,7 +86,7 @@ GraspStiffness grasp_stiffness(const std::vector<Contact>& contacts, const Eigen
     compliance += joint_compliance(*joints, springs, 4 * static_cast<Index>(contacts.size()));
   // The smallest eigenvalue is the softest direction.
   const Eigen::Matrix<double, 6, 6> K = in_series(springs, compliance);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(K);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd{K});
   const Eigen::Matrix<double, 6, 1> softest = eigen.eigenvectors().col(0);
   return {K, eigen.eigenvalues()(0), {softest.head<3>(), softest.tail<3>()}};
 }

@@ -168,7 +168,7 @@ ReducedVector descend(const Reduced& M, const ReducedVector& g, double size) {
   // Positive definite: a Newton step.
   if (positive.info() == Eigen::Success && positive.rcond() > kFlatCurve) return positive.solve(-g);
   // Otherwise turn negative curvatures round and skip flat ones.
-  const Eigen::SelfAdjointEigenSolver<Reduced> eigen(M);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd{M});
   ReducedVector x = -(eigen.eigenvectors().transpose() * g);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const double curve = std::abs(eigen.eigenvalues()(i));

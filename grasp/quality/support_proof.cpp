@@ -255,8 +255,7 @@ Cone cut_of(const MatrixXd& doubts) {
 
 /// The unproven direction of least support, descended from the mean and from the main directions.
 WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubts) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> main(
-      doubts.topLeftCorner<6, 6>());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> main(MatrixXd(doubts.topLeftCorner<6, 6>()));
   std::vector<WrenchCoordinates> ways{doubts.col(kTimeIndex).head<6>()};
   for (const int k : {5, 4})
     for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
