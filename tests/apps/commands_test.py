@@ -886,6 +886,11 @@ class Strengths(unittest.TestCase):
             self.assertEqual(row["F0_N"], stated[row["muscle"]])
         self.assertIn(16.765, [row["F0_N"] for row in rows])
 
+    # RI of an_chao_middle: 2.8 cm2 at 45 N/cm2 are 126 N.
+    def test_are_shown_without_rounding_errors(self):
+        rows = ask("explain", MIDDLE)["muscles"]["rows"]
+        self.assertEqual([row["F0_N"] for row in rows if row["muscle"] == "RI"], [126])
+
 
 class Refused(unittest.TestCase):
     def test_numbers_that_are_not_decimal(self):
