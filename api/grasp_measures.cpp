@@ -169,8 +169,8 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
     // Two rigid surfaces have no finite stiffness, so that of the grasp is undefined.
     if (!springs)
       return none<GraspStiffness>(
-          fmt::format("neither {} nor {} has a soft layer: contacts of {} are rigid", link.material,
-                      object.material, link.name));
+          fmt::format("neither {} nor {} has a soft layer: the contacts of {} are rigid",
+                      link.material, object.material, link.name));
     pads.insert(pads.end(), patch.contacts.size(), *springs);
   }
   return {grasp_stiffness(contacts_without_hand(asked.result.grasp.contacts), object.com,

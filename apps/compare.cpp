@@ -65,7 +65,7 @@ void add_compare(CLI::App& app) {
   command->footer(
       "-o FILE.json is written after every pair of a hand and an object; the same command "
       "continues it\nafter Ctrl-C. The comparison with all defaults, 12 hands on 8 objects, takes "
-      "some minutes.");
+      "several minutes.");
   add_examples(
       *command,
       {"compare --hands barrett,parallel_jaw --objects sphere_70,cube_50 --approaches 5",

@@ -149,7 +149,7 @@ void add_fit(CLI::App& app) {
       "Method: ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
       "the posterior instead of one best point");
   command->add_flag("--allow-unconverged", options->allow_unconverged,
-                    "Exit without error though the fit or the chains have not converged");
+                    "Exit without an error even if the fit or the chains have not converged");
   add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc", ".toml"}});
   add_chain_options(*command, *options);
   add_examples(

@@ -114,7 +114,7 @@ void add_import(CLI::App& app) {
   command->add_option("--units", request.units, "Unit of a mesh file: m, cm, mm or in; default: m");
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,
-                    "Mend meshes, also of bodies: close holes, turn triangles");
+                    "Repair meshes, including those of bodies: close holes, reorient triangles");
   command->add_flag("--allow-missing", options->allow_missing,
                     "Write a robot even if meshes or bodies that it names are missing");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");

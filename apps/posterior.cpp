@@ -65,7 +65,7 @@ CLI::App* add(CLI::App& parent, const char* name, const char* text,
                    "Result file of `thenar fit --method mcmc` (.nc)")
       ->required();
   command->add_flag("--allow-unconverged", options->allow_unconverged,
-                    "Do not fail if the chains have not converged");
+                    "Exit without an error even if the chains have not converged");
   command->callback([options, run] { run(*options); });
   return command;
 }
@@ -79,7 +79,8 @@ void add_posterior(CLI::App& app) {
   const std::string make = "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc";
   // All three read a posterior, and share its arguments.
   auto options = std::make_shared<PosteriorArguments>();  // lives as long as the callbacks
-  CLI::App* first = add(*command, "summary", "Convergence, parameters, modes", options, summary);
+  CLI::App* first =
+      add(*command, "summary", "Summarise convergence, parameters and modes", options, summary);
   first->add_option("--rows", options->rows, "Parameters to print");
   add_output_options(*first, options->outputs, {true, true, true});
   add_examples(*first, {make, "posterior summary out/P.nc --rows 10 -o out/P.csv"});

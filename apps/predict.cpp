@@ -15,7 +15,7 @@ void add_predict(CLI::App& app) {
                                  {"fit synek2019_H01 --subject an_chao_middle -o out/fit.h5",
                                   "predict out/fit.h5 synek2019_B01 --report out/predicted.html"}});
   command->add_flag("--allow-unconverged", typed->allow_unconverged,
-                    "Exit without error though the fit has not converged");
+                    "Exit without an error even if the fit has not converged");
 }
 
 }  // namespace thenar

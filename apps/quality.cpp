@@ -142,8 +142,8 @@ void add_quality(CLI::App& app) {
       "quality", "Compute the quality (epsilon, volume, task margin) of a set of contacts");
   command
       ->add_option("contacts", options->contacts,
-                   "Contact sets: files (JSON), or names of DATA/contacts; several give an answer "
-                   "each; -: a stream")
+                   "Contact sets: files (JSON), or names in the data folder's contacts/; one "
+                   "answer for each; -: read from standard input")
       ->required();
   add_request_options(*command, without(contact_params().params(), {"contacts"}), options->request);
   add_output_options(*command, options->outputs, {true, true, false, {".jsonl"}});

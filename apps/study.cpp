@@ -43,9 +43,9 @@ void run_types(const Arguments<ThumbTypesRequest>& options) {
 
 void add_types(CLI::App& study) {
   auto options = std::make_shared<Arguments<ThumbTypesRequest>>();  // lives as long as the callback
-  CLI::App* types = study.add_subcommand(
-      "thumb-types",
-      "Sample which thumb types follow from the variation of joint axes, and how many");
+  CLI::App* types = study.add_subcommand("thumb-types",
+                                         "Sample the thumb types that result from the variation of "
+                                         "joint axes, and how many there are");
   ThumbTypesRequest& request = options->request;
   add_data_option(*types, request.data);
   types->add_option("--draws", request.draws, "Thumbs to draw")

@@ -84,9 +84,8 @@ std::vector<std::string> describe(const UndeterminedTilts& tilts) {
   std::vector<std::string> warnings;
   if (!tilts.undecided.empty()) {
     warnings.push_back(
-        fmt::format("{} of {} tilts of axes are not determined by the forces, they keep more than "
-                    "{:.1f} of their "
-                    "prior sd: {}",
+        fmt::format("{} of {} tilts of axes are not determined by the forces: they keep more than "
+                    "{:.1f} of their prior sd: {}",
                     tilts.undecided.size(), tilts.tilt_count, kUndecidedShare,
                     some_of(names_of(tilts.undecided))));
   }

@@ -45,8 +45,9 @@ RequestTable<ContactQualityRequest> contact_params() {
   table.add_word("norm", kForceNormNames, &Request::norm,
                  "Limit of contact forces: l1: the sum of all normal forces is at most 1; linf: "
                  "the sum within each patch is at most 1.");
-  table.add("gap", number_schema(""), &Request::gap,
-            "Largest certified upper - lower of epsilon, in units of normal force.");
+  table.add(
+      "gap", number_schema(""), &Request::gap,
+      "Largest difference between the certified bounds of epsilon, in units of normal force.");
   table
       .add("volume", flag_schema(), &Request::volume,
            "Compute the volume, which takes 80 to 5,000 times as long as epsilon.", "!no-volume")
@@ -64,7 +65,7 @@ RequestTable<WorldRequest> world_params() {
             "Object to grasp, where there are several.");
   // Add options of human hands, which robots ignore.
   table.add_word("passive", kPassiveNames, &WorldRequest::passive,
-                 "Passive moments of human joints, where the subject states some.");
+                 "Include the passive moments of human joints that the subject states.");
   add_path(table, &WorldRequest::path);
   add_data(table, &WorldRequest::data);
   return table;

@@ -18,7 +18,7 @@ RequestTable<DigitRequest> subject_params() {
   // Add the fidelity of the model: paths of tendons and passive moments.
   add_path(table, &DigitRequest::path);
   table.add_word("passive", kPassiveNames, &DigitRequest::passive,
-                 "Passive moments of human joints, where the subject states some.");
+                 "Include the passive moments of human joints that the subject states.");
   add_data(table, &DigitRequest::data);
   return table;
 }

@@ -84,7 +84,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
                  "Largest force allowed along each axis in addition to the moment.");
   table.add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
-            "Half angle of the cone the force or moment may lie in.", "tolerance-deg");
+            "Half-angle of the cone in which the force or moment may lie.", "tolerance-deg");
   table.add_word("frame", kDirectionFrameNames, &Request::frame,
                  "Axes of directions: world: the subject's frame; tip: proximal, dorsal, radial.",
                  "axes");
@@ -99,8 +99,8 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
       .form = "MUSCLE=newton";
   // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
-                 "Wrist: held: welded; free: moves and carries the load, with the muscles across "
-                 "it; pinch: moves freely; the load is internal to the hand.");
+                 "Wrist: held (welded), free (moves and carries the load with the muscles across "
+                 "it) or pinch (moves freely, the load is internal to the hand).");
   Param& stops = table.add("stops", units::kNewtonMetre,
                            map_schema(infinite_number_schema("", -kInfinity)), &Request::stops,
                            "Joints at the end of their range and the largest torque of the stop; "

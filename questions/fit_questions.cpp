@@ -30,7 +30,7 @@ Schema names_schema() { return list_schema(text_schema(), 0, kMaxNames); }
 template <typename Request>
 void add_fit_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
   table.add_word("path", kPathNames, member,
-                 "Tendon paths: via, straight between via points; a fit has no others.");
+                 "Tendon paths: via, straight between via points; fits support no other paths.");
 }
 
 template <typename Request>
@@ -177,7 +177,7 @@ RequestTable<SampleRequest> posterior_params() {
             "Largest depth of the trees of nuts: 2^depth steps at most.");
   // Warm-up adapts the sampler; draws are kept, thinned where neighbours are alike.
   table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
-            "Steps that adapt and are thrown away.");
+            "Warm-up steps, which are discarded.");
   table.add(
       "draws", integer_schema(0, 1e9), &Request::draws,
       "Draws per chain; 0: 1000, or 100 for stretch, doubled at most twice if the chains have "

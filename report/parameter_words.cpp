@@ -81,7 +81,7 @@ std::string axis_words(const Parts& parts, const TendonDigit* digit) {
   }
   constexpr const char* kTowards[] = {"proximally", "dorsally", "radially"};
   constexpr const char* kAway[] = {"distally", "palmarly", "ulnarly"};
-  if (parts[3] == "along") return axis + ": shift along itself, which moves nothing";
+  if (parts[3] == "along") return axis + ": shift along itself (no effect)";
   if (!frame) return fmt::format("{}: shift {} of 2", axis, parts[3]);
   if (const std::string oblique = oblique_words(frame->e); !oblique.empty())
     return fmt::format("{}: shift along {}", axis, oblique);
@@ -181,11 +181,10 @@ std::string words_of(const Parts& parts, const TendonDigit* digit) {
   if (first == "tip") return "where the force acts on the pulp: shift " + adverb(second);
   if (first == "sensor") return fmt::format("load cell turned about the {} direction", second);
   if (first == "gain") return fmt::format("share of the load on {} that reaches the digit", second);
-  if (first == "force" && parts.size() == 3)
-    return fmt::format("tip force of {} that its geometry does not explain, {}", second,
+  if (first == "force" && (parts.size() == 3 || parts.size() == 4))
+    return fmt::format("tip force of {} that its geometry does not explain, {}{}", second,
+                       parts.size() == 4 ? "in posture " + parts[3] + " alone, " : "",
                        adverb(parts[2]));
-  if (first == "force" && parts.size() == 4)
-    return fmt::format("the same in posture {} alone: {}, {}", parts[3], second, adverb(parts[2]));
   if (first == "noise") return fmt::format("noise of {} over the stated noise", second);
   if (first == "hold") return "how stiff the clamp is sideways";
   return "";

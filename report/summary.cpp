@@ -29,11 +29,11 @@ std::string summary(const Experiment& experiment) {
   std::set<std::string> muscles;
   for (const Trial& trial : experiment.trials)
     for (const auto& [muscle, tension] : trial.tension) muscles.insert(muscle);
-  return fmt::format("experiment '{}': {} {} of specimen {}, {}, {}, {} loaded", experiment.name,
-                     experiment.species, experiment.digit, experiment.specimen,
-                     counted(experiment.trials.size(), "trial"),
-                     counted(experiment.postures.size(), "posture"),
-                     counted(muscles.size(), "muscle"));
+  return fmt::format(
+      "experiment '{}': {} {}{} of specimen {}, {}, {}, {} loaded", experiment.name,
+      experiment.species, experiment.digit, experiment.digit == "thumb" ? "" : " finger",
+      experiment.specimen, counted(experiment.trials.size(), "trial"),
+      counted(experiment.postures.size(), "posture"), counted(muscles.size(), "muscle"));
 }
 
 std::string summary(const FitSettings& settings) {

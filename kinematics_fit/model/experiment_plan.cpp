@@ -109,10 +109,10 @@ void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
       names += (names.empty() ? "" : ", ") +
                (on.source.empty() ? "'" + on.experiment + "'" : "all specimens of " + on.source);
   if (!names.empty())
-    warnings.push_back(
-        fmt::format("the subject has seen specimen {}: it was calibrated on {}. Errors of its "
-                    "forces, also left out, do not tell how well strangers are predicted",
-                    experiment.specimen, names));
+    warnings.push_back(fmt::format(
+        "the subject has seen specimen {}: it was calibrated on {}. Errors of its "
+        "forces, even left-out ones, do not show how well unseen specimens are predicted",
+        experiment.specimen, names));
 }
 
 }  // namespace

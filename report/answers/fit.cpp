@@ -80,7 +80,7 @@ std::vector<Fields> learnt_fields(const Fit& fit) {
 
 std::string learnt_text(const Fit& fit) {
   std::string text =
-      "\nthe data tell most about (estimate and sd in prior sds; sd 1: nothing was learnt; "
+      "\nbest-determined parameters (estimate and SD in prior SDs; SD 1: nothing was learnt; "
       "value):\n";
   const std::vector<int> order = sorted_by_sd(fit.covariance);
   for (std::size_t k = 0; k < std::min(kLearntShown, order.size()); ++k) {
@@ -158,14 +158,14 @@ std::string open_text(const Fit& fit) {
       open.push_back(null.text);
   }
   open.insert(open.begin(), tendons.begin(), tendons.end());
-  std::string text =
-      fmt::format("\n{} of {} directions are not in the data: the prior alone decides them\n",
-                  all.size(), fit.problem.size());
+  std::string text = fmt::format(
+      "\nthe data do not determine {} of {} directions; there the prior alone decides\n",
+      all.size(), fit.problem.size());
   for (std::size_t i = 0; i < std::min(kOpenShown, open.size()); ++i)
     text += fmt::format("  {}\n", open[i]);
   if (tilts > 0)
     text += fmt::format("  {} only tilt or shift joint axes or turn the load cell\n", tilts);
-  if (open.size() > kOpenShown) text += "  ... all are in the result file (--json lists them)\n";
+  if (open.size() > kOpenShown) text += "  ... the result file has the full list\n";
   return text;
 }
 

@@ -56,17 +56,11 @@ std::string short_volume_words(const Volume& v) {
 
 constexpr double kSameLoad = 1e-3;  // relative difference below which two loads are told as one [1]
 
-/// Returns the load that efforts support, if known: no source states the strength of structure.
-/// Otherwise the load with structure.
-std::string load_words(const SupportedLoad& load, const std::string& unit) {
-  return fmt::format("{} {}", shown(load.active.value_or(load.with_structure)), unit);
-}
-
-/// Returns a note about what the number of load_words() leaves out; "" if nothing.
+/// Returns a note about what the number in add_load_row() leaves out; "" if nothing.
 std::string load_note(const SupportedLoad& load, const std::string& unit) {
   if (!load.active) return "with what structure carries; by efforts alone it is not known";
   if (load.with_structure - *load.active <= kSameLoad * load.with_structure) return "";
-  return fmt::format("by efforts and friction; {} {} with rigid structure of unknown strength",
+  return fmt::format("by efforts and friction; {}{} with rigid structure of unknown strength",
                      shown(load.with_structure), unit);
 }
 
@@ -75,7 +69,8 @@ void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
                   const std::string& directions = "") {
   MeasureRow row{name, "no value", load.message};
   if (load.value) {
-    row.value = load_words(*load.value, unit) + directions;
+    // Show the load that efforts support, if known: no source states the strength of structure.
+    row.value = shown(load.value->active.value_or(load.value->with_structure)) + unit + directions;
     const std::string note = load_note(*load.value, unit);
     row.note += (row.note.empty() || note.empty() ? "" : "; ") + note;
   }
@@ -178,9 +173,10 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   add_row(rows, "weight of the object", m.weight, newton);
   add_row(rows, "minimum grasp force to hold it", m.hold, newton);
   add_row(rows, "the same, within these limits", m.hold_actuated, newton);
-  add_load_row(rows, "supports its weight", m.times_weight, "times", " along its weakest axis");
-  add_load_row(rows, "supports a pull along z", m.pull, "N");
-  add_load_row(rows, "supports a torque about z", m.turn, "N m");
+  add_load_row(rows, "multiple of its weight supported", m.times_weight, "",
+               ", along its weakest axis");
+  add_load_row(rows, "supports a pull along z", m.pull, " N");
+  add_load_row(rows, "supports a torque about z", m.turn, " N m");
   add_row(rows, "least stiffness of contacts", m.stiffness, [](const GraspStiffness& stiffness) {
     return fmt::format("{:.4g} N/m, {}", stiffness.min_eigenvalue,
                        describe_motion(stiffness.softest));

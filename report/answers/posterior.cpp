@@ -116,9 +116,8 @@ std::string quantities_text(const PosteriorResult& result) {
                shown(e.bulk_ess, 0), shown(e.tail_ess, 0),
                meaning_of(q.name, result.run.posterior->problem().digit())});
   }
-  return titled(fmt::format("parameters that the data tell most about ({} of {})",
-                            table.rows.size(), order.size()),
-                table);
+  return titled(
+      fmt::format("best-determined parameters ({} of {})", table.rows.size(), order.size()), table);
 }
 
 /// "the MCP abduction axis lies distal of the MCP flexion axis".

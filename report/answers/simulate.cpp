@@ -88,7 +88,7 @@ std::string text_of(const DigitMotionResult& motion) {
   text += fmt::format("largest deviation of a muscle excursion from the tendon length: {}\n",
                       t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "not applicable");
   if (motion.tendons) text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
-  if (!t.snaps.empty()) text += titled("Snaps of the net to another rest", snap_table(t));
+  if (!t.snaps.empty()) text += titled("Snaps of the net to another equilibrium", snap_table(t));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
 

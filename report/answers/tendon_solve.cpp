@@ -138,8 +138,8 @@ std::string net_text(const LoadedDigit& loaded, const DigitPoint& point) {
     contacts.add({nth(net.nodes, contact.node).name, nth(net.surfaces, contact.surface).name,
                   shown(contact.force, 4)});
   return titled("Bands of the extensor hood", bands) +
-         titled("Knots of the hood that float, in the subject's frame", nodes) +
-         titled("Knots pressed on bone", contacts);
+         titled("Floating nodes of the hood, in the subject's frame", nodes) +
+         titled("Nodes pressed on bone", contacts);
 }
 
 std::string slip_text(const SlipTension& slips) {

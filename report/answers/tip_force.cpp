@@ -63,7 +63,7 @@ std::string one_posture(const TipForceResult& answer, const TipForcePoint& point
                        : "Moment at the tip, that the hold must carry",
                  left);
   if (bones)
-    text += fmt::format("condition: {:.4g}\nmagnitude of the change of the force {}\n",
+    text += fmt::format("condition: {:.4g}\nmagnitude of the change in the force {}\n",
                         point.condition, change_line(answer.rows, point.change));
   const std::string note = note_of(answer, point);
   return note.empty() ? text : text + "note: " + note + "\n";

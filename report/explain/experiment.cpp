@@ -105,7 +105,7 @@ Section explain_trials(const Experiment& experiment) {
   }
   Section section{
       "trials",
-      "Trials by the tendons loaded; tensions are after pulley losses, summed",
+      "Trials by loaded tendons; tensions are summed, after pulley losses",
       {{"loaded", "trials", "tension_from_N", "tension_to_N", "force_from_N", "force_to_N"}}};
   for (const auto& [name, spread] : loads)
     section.table.add({name, std::to_string(spread.trials), shown(spread.least_tension, 3),

@@ -106,7 +106,7 @@ Section explain_muscles(const Subject& subject, const std::vector<std::string>& 
     for (const MuscleUnit& muscle : subject.muscles)
       if (muscle.name == name)
         section.table.add({name, muscle.strand.empty() ? "-" : muscle.strand,
-                           muscle.max_force ? fmt::format("{}", *muscle.max_force) : "unknown"});
+                           muscle.max_force ? fmt::format("{:g}", *muscle.max_force) : "unknown"});
   return section;
 }
 

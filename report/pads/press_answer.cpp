@@ -23,8 +23,8 @@ std::string with_article(const std::string& object) {
 
 std::string rate_words(const PressResult& pressed) {
   const PressRequest& request = pressed.request;
-  if (!request.rate) return "at once: nothing relaxes";
-  if (*request.rate == 0) return "so slowly that all relaxes";
+  if (!request.rate) return "instantaneous (no relaxation)";
+  if (*request.rate == 0) return "quasi-static (fully relaxed)";
   std::string words = fmt::format("at {:g} mm/s", *request.rate / kMm);
   if (request.hold > 0) words += fmt::format(", then held for {:g} s", request.hold);
   if (!pressed.relaxes()) words += "; its tissues do not relax";
@@ -85,8 +85,8 @@ std::string ending_words(const PressResult& pressed) {
   if (pressed.instants.empty()) return "";
   const PressInstant& last = pressed.instants.back();
   return fmt::format(
-      "{} elements; estimated error of the force {:.2g} %; the object at most {:.2g} um inside "
-      "faces of the skin\n{} iterations, CPU {:.3g} s\n",
+      "{} elements; estimated error of the force {:.2g} %; the object penetrates faces of the "
+      "skin by at most {:.2g} um\n{} iterations, CPU {:.3g} s\n",
       last.elements, 100 * last.force_error, 1e6 * last.penetration, last.iterations, pressed.cpu);
 }
 
@@ -140,7 +140,7 @@ Table rung_table(const PressResult& pressed) {
 
 std::string text_of(const PressResult& pressed) {
   std::string text = fmt::format("{}\n{}\n\n", title_of(pressed), conditions_of(pressed));
-  text += titled("From the touch on", table_of(pressed));
+  text += titled("From first contact", table_of(pressed));
   if (!pressed.rungs.empty())
     text += titled("To the same depth at once, without friction, by laws, elements and meshes",
                    rung_table(pressed));

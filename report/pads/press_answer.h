@@ -26,7 +26,7 @@ inline constexpr double kKilopascal = 1e3;  // A kilopascal [Pa]
 
 /// Returns the title with the end of the motion: "index_pad under a plane: 1 N at 1.84 mm".
 [[nodiscard]] std::string title_of(const PressResult& pressed);
-/// Returns a line on the conditions: "angle 20 deg, friction 0.6, at once: nothing relaxes;
+/// Returns a line on the conditions: "angle 20 deg, friction 0.6, instantaneous (no relaxation);
 /// neo-hookean, Q1P0".
 [[nodiscard]] std::string conditions_of(const PressResult& pressed);
 /// Returns a table with a row for each rung, the finest last.

@@ -305,8 +305,8 @@ Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) 
       order.size() <= shown
           ? fmt::format("all {} parameters, the best known first", order.size())
           : fmt::format(
-                "the {} parameters that the forces tell most about, and four that they "
-                "tell least about",
+                "the {} parameters that the forces determine best, and four that they "
+                "determine least",
                 shown);
   return interval_block(fmt::format("{}: {}. Bars are 95 % intervals in prior sds; at the right "
                                     "estimate and sd",

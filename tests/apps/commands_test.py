@@ -759,8 +759,9 @@ class Validate(Near):
         self.assertEqual(len(lines), len(files))
         self.assertIn(f"{MIDDLE}: subject 'an_chao_middle': 5 segments, 4 joints, 6 muscles, "
                       "1 digit (middle)", lines)
-        self.assertIn(f"{H01}: experiment 'synek2019_H01': human middle of specimen H01, "
+        self.assertIn(f"{H01}: experiment 'synek2019_H01': human middle finger of specimen H01, "
                       "24 trials, 4 postures, 6 muscles loaded", lines)
+        self.assertTrue(any(": human thumb of specimen " in line for line in lines), lines)
 
     def test_goes_on_after_an_error_and_fails(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -885,6 +886,11 @@ class Strengths(unittest.TestCase):
         for row in rows:
             self.assertEqual(row["F0_N"], stated[row["muscle"]])
         self.assertIn(16.765, [row["F0_N"] for row in rows])
+
+    # RI of an_chao_middle: 2.8 cm2 at 45 N/cm2 are 126 N.
+    def test_are_shown_without_rounding_errors(self):
+        rows = ask("explain", MIDDLE)["muscles"]["rows"]
+        self.assertEqual([row["F0_N"] for row in rows if row["muscle"] == "RI"], [126])
 
 
 class Refused(unittest.TestCase):

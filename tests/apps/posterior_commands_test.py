@@ -185,7 +185,8 @@ class Summary(WithFolder):
     def test_text_page_and_predictions(self):
         text = self.done("posterior", "summary", self.output, "--rows", 3).stdout
         for heading in ("worst R-hat", "beside those measured", "left out one by one",
-                        "tell most about (3 of 8)", "directions are decided", "modes, by the draws"):
+                        "best-determined parameters (3 of 8)", "directions are decided",
+                        "modes, by the draws"):
             self.assertIn(heading, text)
         page = self.folder / "P.html"
         self.done("posterior", "plot", self.output, "-o", page)

@@ -29,8 +29,8 @@ TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
               std::vector<std::string>{"experiment '" + name + "': the subject has seen specimen " +
                                        specimen +
                                        ": it was calibrated on all specimens of Synek2019. Errors "
-                                       "of its forces, also left out, do not tell how "
-                                       "well strangers are predicted"});
+                                       "of its forces, even left-out ones, do not show how "
+                                       "well unseen specimens are predicted"});
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(seen.size());
     EXPECT_TRUE(predict_fitted(seen, z, 0).calibrated_on_specimen);
 

@@ -24,6 +24,10 @@ TEST(ParameterWords, SayWhatNamesMean) {
   EXPECT_EQ(meaning_of("angle/MCP3_FE/Hook"), "goniometer error at MCP flexion in posture Hook");
   EXPECT_EQ(meaning_of("length/PIP3"), "length of the middle phalanx");
   EXPECT_EQ(meaning_of("H01: gain/RI"), "H01: share of the load on RI that reaches the digit");
+  EXPECT_EQ(meaning_of("force/FDP/radial"),
+            "tip force of FDP that its geometry does not explain, radially");
+  EXPECT_EQ(meaning_of("force/FDP/radial/Hook"),
+            "tip force of FDP that its geometry does not explain, in posture Hook alone, radially");
   EXPECT_EQ(meaning_of("spread/axis/direction"),
             "scatter between specimens of tilts of axes over that assumed");
   EXPECT_EQ(meaning_of("nonsense"), "");
@@ -38,6 +42,7 @@ TEST(ParameterWords, NameTheDirectionsOfTheDigit) {
   EXPECT_EQ(meaning_of("axis/DIP3/direction/2", digit), "DIP axis: tilt about the digit's length");
   EXPECT_EQ(meaning_of("axis/DIP3/point/1", digit), "DIP axis: shift proximally");
   EXPECT_EQ(meaning_of("axis/DIP3/point/2", digit), "DIP axis: shift dorsally");
+  EXPECT_EQ(meaning_of("axis/DIP3/point/along", digit), "DIP axis: shift along itself (no effect)");
   EXPECT_EQ(meaning_of("axis/DIP3/direction/1"), "DIP axis: tilt 1 of 2");
 }
 

@@ -35,6 +35,14 @@ TEST(GraspMeasureRows, TellsOneNumberWhereStructureAddsNothing) {
   EXPECT_EQ(row.note, "");
 }
 
+TEST(GraspMeasureRows, TellsTheSupportedMultipleOfTheWeight) {
+  GraspMeasures measures;
+  measures.times_weight.value = SupportedLoad{203.9, 714.5};
+  const MeasureRow row = row_of(measures, "multiple of its weight supported");
+  EXPECT_EQ(row.value, "203.9, along its weakest axis");
+  EXPECT_EQ(row.note.find("by efforts and friction; 714.5 with rigid structure"), 0U) << row.note;
+}
+
 TEST(GraspMeasureRows, SaysWhyThereIsNoValue) {
   GraspMeasures measures;
   measures.pull.message = "the effort of 'motor' is unknown";

@@ -21,7 +21,8 @@ TEST(PosteriorAnswer, ListsTheBestKnownFirst) {
     EXPECT_LE(std::stod(table.rows[i - 1][4]) / std::stod(table.rows[i - 1][5]),
               std::stod(table.rows[i][4]) / std::stod(table.rows[i][5]) * (1 + 1e-6));
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
-  EXPECT_NE(text_of(result).find("tell most about (3 of 8)"), std::string::npos) << text_of(result);
+  EXPECT_NE(text_of(result).find("best-determined parameters (3 of 8)"), std::string::npos)
+      << text_of(result);
 }
 
 TEST(PosteriorAnswer, HasMeaningsAndTheVerdict) {
