@@ -149,9 +149,12 @@ void add_whole(const FeasibleForcePoint& point, Fields& fields) {
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
   const FieldUnit unit = words_of(point.load).si;
-  OrderedJson largest;
-  for (std::size_t k = 0; k < point.whole->along.size(); ++k)
+  // A direction with 0 may have no force at all: its status says so.
+  OrderedJson largest, status;
+  for (std::size_t k = 0; k < point.whole->along.size(); ++k) {
     largest[axis_direction(axes, k)] = point.whole->along[k].component;
+    status[axis_direction(axes, k)] = name_of(point.whole->along[k].status);
+  }
   fields.add("set",
              Fields{{"status", name_of(set.status)},
                     {"axes", axes.name},
@@ -162,7 +165,8 @@ void add_whole(const FeasibleForcePoint& point, Fields& fields) {
                     {"excess", set.excess},
                     {"imbalance", units::kNewtonMillimetre, set.imbalance},
                     {"carried_by_bones", units::kOne, set.carried.transpose() * axes.to_world},
-                    {"largest", unit, largest}});
+                    {"largest", unit, largest},
+                    {"largest_status", status}});
 }
 
 void add_point(const FeasibleForceResult& answer, const FeasibleForcePoint& point, Fields& fields) {

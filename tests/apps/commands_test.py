@@ -400,6 +400,14 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(whole["largest_N"]["+x"], 28.81, delta=0.005)
         self.assertGreaterEqual(max(v[0] for v in whole["vertices_N"]), whole["largest_N"]["+x"])
 
+    def test_tells_directions_without_force_from_those_with_little(self):
+        # Passive moments shift the set off the origin: no force along x, either way.
+        whole = ask("feasible-force", "human_hand", "--digit", "index", "--posture", "MCP2_FE=30",
+                    "MCP2_AA=5", "PIP2=40", "DIP2=20", "--without", "FDS2")["set"]
+        self.assertEqual(whole["largest_status"]["+x"], "infeasible")
+        self.assertEqual(whole["largest_N"]["+x"], 0)
+        self.assertEqual(whole["largest_status"]["+y"], "solved")
+
     def test_straight_finger_carries_force_along_itself(self):
         answer = ask("feasible-force", MIDDLE, "--direction", 1, 0, 0)
         self.assertEqual(answer["status"], "unbounded")
