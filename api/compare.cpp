@@ -193,11 +193,9 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
 JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects,
                    const Materials& materials) {
   // Use current names: a file that was written under an old name of a hand still matches.
-  std::vector<std::string> hands;
-  for (const std::string& hand : request.hands) hands.push_back(current_hand_name(hand));
   // The number of threads is left out, since it does not change the result.
   JsonNode inputs;
-  inputs.set("hands", hands)
+  inputs.set("hands", transformed(request.hands, current_hand_name))
       .set("objects", request.objects)
       .set("tasks", transformed(request.tasks, [](GraspTask task) { return name_of(task); }))
       .set("approaches", request.approaches)

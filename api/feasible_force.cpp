@@ -198,10 +198,8 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
   }
   if (held_wrist) return held;
   // Find the wrist: the free joints that are proximal to more than one digit.
-  for (const std::string& joint : shared_joints(digit.subject)) {
-    const auto found = std::find(joints.begin(), joints.end(), joint);
-    if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
-  }
+  for (const std::string& joint : shared_joints(digit.subject))
+    if (const int i = place_in(joints, joint); i >= 0) held.wrist.push_back(i);
   require_field("wrist", !held.wrist.empty(),
                 "subject '{}' has no wrist joint: no free joint is shared by its digits",
                 digit.subject.name);

@@ -237,14 +237,14 @@ void require_valid(const ContactQualityRequest& request) {
                 request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxPyramidEdges),
                 "wanted pyramids of 3 to {} edges, got {}", kMaxPyramidEdges, request.edges);
   require_field("first_edge", request.edges > 0 || request.first_edge == 0,
-                "a first edge is of pyramids: say how many edges they have{}", "");
+                "a first edge is of pyramids: say how many edges they have");
 }
 
 ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require_valid(request);
   const ContactFile file = in_field("contacts", [&] { return read_contacts(request); });
   require_field("edges", !file.planar || request.edges == 0,
-                "pyramids are of cones in space, not in a {}", "plane");
+                "pyramids are of cones in space, not in a plane");
   ContactQualityResult found;
   // Record the request and the inputs.
   found.request = request;

@@ -1,6 +1,5 @@
 #include "api/robot_pose.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -147,18 +146,12 @@ void warn_of_limits(const RobotJoint& joint, double value, std::vector<std::stri
                                  slides(joint) ? "mm" : "deg"));
 }
 
-int link_index(const RobotSpec& robot, const std::string& name) {
-  const auto found = std::find_if(robot.links.begin(), robot.links.end(),
-                                  [&](const RobotLink& link) { return link.name == name; });
-  return static_cast<int>(found - robot.links.begin());
-}
-
 /// The link that carries each one; -1: none.
 std::vector<int> parents_of(const RobotSpec& robot) {
   std::vector<int> parents(robot.links.size(), -1);
   for (const RobotJoint& joint : robot.joints)
-    parents[static_cast<std::size_t>(link_index(robot, joint.child))] =
-        link_index(robot, joint.parent);
+    parents[static_cast<std::size_t>(place_named(robot.links, joint.child))] =
+        place_named(robot.links, joint.parent);
   return parents;
 }
 

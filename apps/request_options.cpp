@@ -8,6 +8,7 @@
 #include "apps/kind_commands.h"
 #include "apps/options.h"
 #include "apps/terminal.h"
+#include "base/error.h"
 #include "base/lists.h"
 
 namespace thenar {
@@ -205,12 +206,10 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
     option = command.add_option_function<std::string>(
         spec,
         [&request, key, schema, name = option_names(param).front()](const std::string& text) {
-          try {
-            request[key] = schema.kind == Kind::kText ? Json(text)
-                                                      : typed_number(schema, text, what_is(schema));
-          } catch (const InputError& error) {
-            throw InputError(error.what(), name);
-          }
+          request[key] = in_field(name.c_str(), [&] {
+            return schema.kind == Kind::kText ? Json(text)
+                                              : typed_number(schema, text, what_is(schema));
+          });
         },
         help);
   }

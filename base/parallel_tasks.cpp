@@ -20,10 +20,8 @@ class SharedProgress {
     Progress part = whole_;
     part.report = [this, task](double fraction, const std::string& what) {
       const std::lock_guard lock(mutex_);
-      done_[task] = std::clamp(fraction, done_[task], 1.0);
-      double sum = 0;
-      for (std::size_t i = 0; i < done_.size(); ++i) sum += done_[i] * tasks_[i].seconds;
-      whole_(all_ > 0 ? sum / all_ : 0, what);
+      advance(task, fraction);
+      whole_(all_ > 0 ? std::min(sum_ / all_, 1.0) : 0, what);
     };
     return part;
   }
@@ -31,15 +29,22 @@ class SharedProgress {
   /// Counts a task as done, whatever it reported.
   void end(std::size_t task) {
     const std::lock_guard lock(mutex_);
-    done_[task] = 1;
+    advance(task, 1);
   }
 
  private:
+  /// Moves a task on to a fraction, never back; reports of many tasks do not add up all of them.
+  void advance(std::size_t task, double fraction) {
+    const double before = done_[task];
+    done_[task] = std::clamp(fraction, before, 1.0);
+    sum_ += (done_[task] - before) * tasks_[task].seconds;
+  }
+
   const Progress& whole_;
   const std::vector<ParallelTask>& tasks_;
   std::mutex mutex_;
   std::vector<double> done_;  // share of each task [1]
-  double all_ = 0;            // [s]
+  double all_ = 0, sum_ = 0;  // of all tasks, and of what is done of them [s]
 };
 
 }  // namespace

@@ -102,8 +102,7 @@ RequestTable<InferNetRequest> infer_params() {
   // Free parameters are alternatives to bands; bands then get probabilities.
   table.add("free", names_schema(), &Request::free,
             "Alternatives that may explain the forces instead of a band: slack, paths, stiffness "
-            "or globs of "
-            "parameters; bands then get probabilities.");
+            "or globs of parameters; bands then get probabilities.");
   table.add("bands", names_schema(), &Request::bands,
             "Bands in question, with `free`, as globs; default: all.");
   table.add("settings", text_schema(), &Request::settings,

@@ -121,11 +121,7 @@ RequestFile parse_request(const std::string& text, const std::string& path) {
                     "wanted question = \"..\": which question is asked");
   RequestFile file;
   file.path = path;
-  try {
-    file.question = &question_named(name->text);
-  } catch (const InputError& error) {
-    throw DataError(path, name->line, error.what());
-  }
+  file.question = at_line(path, name->line, [&] { return &question_named(name->text); });
   file.request = Json::object();
   // Keep the line of each key, for messages about its value.
   for (const auto& [key, member] : root.members) {

@@ -14,6 +14,7 @@
 
 #include "api/named/posture.h"
 #include "base/enum_names.h"
+#include "base/lists.h"
 #include "questions/schema.h"
 #include "report/fields.h"
 
@@ -149,9 +150,8 @@ class RequestTable {
             (request.*member).push_back(value_in(names, each.get<std::string>(), kind, key));
         },
         [=](const Request& request) {
-          Json list;
-          for (const Enum each : request.*member) list.push_back(name_in(names, each));
-          return list;
+          return value_json(
+              transformed(request.*member, [&](Enum each) { return name_in(names, each); }));
         });
   }
   /// Adds the parameters of a nested part of the request.

@@ -265,9 +265,8 @@ class PressRun {
   bool step_at_rate(double force, double depth, bool is_last, double fraction) {
     if (!step(goal_at(depth, time_to(depth)), PressPhase::kWay, fraction)) return false;
     if (!is_last) return true;
-    const auto near = static_cast<std::ptrdiff_t>(out_.instants.size()) - 1;
     if (!step_to_force(force, fraction)) return false;
-    out_.instants.erase(out_.instants.begin() + near);
+    out_.instants.erase(out_.instants.end() - 2);
     return true;
   }
 
