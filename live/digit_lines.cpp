@@ -159,8 +159,7 @@ std::vector<Vector3d> DigitLines::points(const TreeState<double>& state,
 std::vector<double> DigitLines::tensions(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                          const NetEquilibrium& rest) const {
   // Tensions of a net without equilibrium are unknown.
-  const bool unbalanced = net_ != nullptr && (rest.status == NetStatus::kStalled ||
-                                              rest.status == NetStatus::kFarSideWrap);
+  const bool unbalanced = net_ != nullptr && is_unbalanced(rest);
   // Compute the strand tensions from the parts of the muscle tensions that do not enter the net.
   Eigen::VectorXd outside = t;
   if (net_ != nullptr)
