@@ -221,13 +221,6 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
   return texts;
 }
 
-/// Returns true if there is a cell of the wanted hand and object.
-bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
-  return any_of(cells, [&](const HandOnObject& cell) {
-    return cell.hand == wanted.hand && cell.object == wanted.object;
-  });
-}
-
 void require_fits(const BestGrasp& best, const NamedHand& hand, const std::string& path) {
   // Throw for stored cells of another version of the hand: their postures have other lengths.
   const Eigen::Index angles = hand.hand->layout().lower.size();
@@ -256,7 +249,8 @@ void require_postures(const std::vector<HandOnObject>& cells, const std::vector<
 /// Adds cells of an earlier run that this one did not reach.
 Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) {
   for (const HandOnObject& cell : done)
-    if (!holds(comparison.cells, cell)) comparison.cells.push_back(cell);
+    if (find_cell(comparison.cells, cell.hand, cell.object) == nullptr)
+      comparison.cells.push_back(cell);
   return comparison;
 }
 
@@ -279,9 +273,10 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
   };
   // Write after every cell, so that a killed comparison continues where it was.
   options.keep = [&](const Comparison& comparison) {
-    const bool all_old =
-        all_of(comparison.cells, [&](const auto& cell) { return holds(kept.cells, cell); });
-    if (!all_old && !request.run.arguments.empty())
+    const bool has_new = any_of(comparison.cells, [&](const HandOnObject& cell) {
+      return find_cell(kept.cells, cell.hand, cell.object) == nullptr;
+    });
+    if (has_new && !request.run.arguments.empty())
       provenance = continued_provenance(kept.provenance, request.run, of.files);
     save(comparison);
   };

@@ -86,13 +86,6 @@ Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<Bod
   return out;
 }
 
-const HandOnObject* find_cell(const std::vector<HandOnObject>& cells, const std::string& hand,
-                              const std::string& object) {
-  for (const HandOnObject& cell : cells)
-    if (cell.hand == hand && cell.object == object) return &cell;
-  return nullptr;
-}
-
 /// Returns the types of grasp that a hand has made on any object, sorted by name.
 std::vector<std::string> grasp_types(const std::vector<HandOnObject>& cells,
                                      const std::string& hand) {

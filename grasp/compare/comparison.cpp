@@ -100,6 +100,12 @@ double HandOnObject::standing_grasp_force() const {
   return min_force(best, &BestGrasp::standing_grasp_force);
 }
 
+const HandOnObject* find_cell(const std::vector<HandOnObject>& cells, const std::string& hand,
+                              const std::string& object) {
+  return find_where(
+      cells, [&](const HandOnObject& cell) { return cell.hand == hand && cell.object == object; });
+}
+
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
   const Eigen::Matrix3Xd tips = fingertip_positions(hand, open_posture(layout));

@@ -156,6 +156,10 @@ struct HandOnObject {
   [[nodiscard]] double quantile(double p) const;
 };
 
+/// Returns the result of a hand on an object; null: there is none.
+[[nodiscard]] const HandOnObject* find_cell(const std::vector<HandOnObject>& cells,
+                                            const std::string& hand, const std::string& object);
+
 /// Abilities of one digit.
 struct DigitAbility {
   std::string digit;

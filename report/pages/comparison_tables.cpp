@@ -25,13 +25,6 @@ Cells cells_of(const Comparison& comparison, const std::string& hand) {
   return cells;
 }
 
-const HandOnObject* cell_of(const Comparison& comparison, const std::string& hand,
-                            const std::string& object) {
-  return find_where(comparison.cells, [&](const HandOnObject& cell) {
-    return cell.hand == hand && cell.object == object;
-  });
-}
-
 /// A load, which may be borne without limit.
 Json load(double value) { return std::isinf(value) ? Json("no limit") : number_or_null(value); }
 
@@ -101,7 +94,7 @@ Json matrix(const Comparison& comparison, const std::string& caption, int digits
   for (const std::string& hand : comparison.hands) {
     Json row = Json::array({hand});
     for (const std::string& object : comparison.objects) {
-      const HandOnObject* cell = cell_of(comparison, hand, object);
+      const HandOnObject* cell = find_cell(comparison.cells, hand, object);
       row.push_back(cell == nullptr ? Json() : value(*cell));
     }
     rows.push_back(std::move(row));
