@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file_io.h"
 #include "data/io/pad/pad_digest.h"
 #include "data/io/toml_table.h"
 #include "data/io/toml_text.h"
