@@ -95,9 +95,9 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       break;
     }
   }
+  if (!good) restore_shown_instant();
   collect_quality(out);
   if (good) return out;
-  restore_shown_instant();
   throw InputError(
       fmt::format("after {:.6g} s positions or speeds are not finite any more: the motion stays "
                   "where they were last; try shorter steps or smaller inputs",
