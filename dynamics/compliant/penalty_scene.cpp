@@ -103,7 +103,7 @@ class PenaltyMotion : public CompliantMotion {
     }
   }
 
-  const SceneState& state() const override { return state_; }
+  [[nodiscard]] const SceneState& state() const override { return state_; }
 
   CompliantContacts contacts() override {
     CompliantContacts out;
@@ -111,8 +111,12 @@ class PenaltyMotion : public CompliantMotion {
     return out;
   }
 
-  long evaluations() const override { return evaluations_ + (ode_ ? ode_->counts().slopes : 0); }
-  long rejected() const override { return rejected_ + (ode_ ? ode_->counts().rejected : 0); }
+  [[nodiscard]] long evaluations() const override {
+    return evaluations_ + (ode_ ? ode_->counts().slopes : 0);
+  }
+  [[nodiscard]] long rejected() const override {
+    return rejected_ + (ode_ ? ode_->counts().rejected : 0);
+  }
 
  private:
   static constexpr double kInitialStep = 1e-4;  // longest first step of a time span [s]

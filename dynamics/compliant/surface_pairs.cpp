@@ -67,7 +67,7 @@ class PairPlanner {
   }
 
   /// Returns the pair of two surfaces, with one box of a pair replaced by a half space.
-  SimbodyPair pair(SimbodySurface a, SimbodySurface b) const {
+  [[nodiscard]] SimbodyPair pair(SimbodySurface a, SimbodySurface b) const {
     const bool is_brick_a = a.kind == SurfaceKind::kBrick,
                is_brick_b = b.kind == SurfaceKind::kBrick;
     if (is_brick_a && (!is_brick_b || becomes_half_space(a, b))) {

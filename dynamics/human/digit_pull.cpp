@@ -333,7 +333,7 @@ void DigitPull::add_tension_slopes(const PullValues& values, ElementAction& out)
       by_angle[m] = values.contracted.by_length[m] * arm_j[m];
       by_speed[m] = values.contracted.by_velocity[m] * arm_j[m];
     }
-    const int column = v[j];
+    const int at_j = v[j];
     // Entries (i, j) and (j, i).
     for (Index i = 0; i <= j; ++i) {
       const double* const arm_i = R.data() + i * muscles_.total;
@@ -342,12 +342,12 @@ void DigitPull::add_tension_slopes(const PullValues& values, ElementAction& out)
         stiffness += arm_i[m] * by_angle[m];
         damping += arm_i[m] * by_speed[m];
       }
-      const int row = v[i];
-      out.stiffness(row, column) += stiffness;
-      out.damping(row, column) += damping;
+      const int at_i = v[i];
+      out.stiffness(at_i, at_j) += stiffness;
+      out.damping(at_i, at_j) += damping;
       if (i == j) continue;
-      out.stiffness(column, row) += stiffness;
-      out.damping(column, row) += damping;
+      out.stiffness(at_j, at_i) += stiffness;
+      out.damping(at_j, at_i) += damping;
     }
   }
 }

@@ -86,8 +86,8 @@ TendonGroup::TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits
 TendonGroup TendonGroup::smoothed(double strain) const {
   std::vector<std::shared_ptr<const DigitTendons>> digits;
   for (const Digit& digit : digits_) {
-    std::shared_ptr<const DigitTendons> blended = digit.tendons->smoothed(strain);
-    digits.push_back(blended ? std::move(blended) : digit.tendons);
+    const std::shared_ptr<const DigitTendons> blended = digit.tendons->smoothed(strain);
+    digits.push_back(blended ? blended : digit.tendons);
   }
   return TendonGroup(std::move(digits));
 }
@@ -188,9 +188,9 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
     const double* next = sum;
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       for (std::size_t j = 0; j <= k; ++j, ++next) {
-        const int row = indices[coordinates[j]], column = indices[coordinates[k]];
-        out(row, column) += *next;
-        if (j < k) out(column, row) += *next;
+        const int at_j = indices[coordinates[j]], at_k = indices[coordinates[k]];
+        out(at_j, at_k) += *next;
+        if (j < k) out(at_k, at_j) += *next;
       }
   }
 }

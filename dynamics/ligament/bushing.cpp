@@ -22,7 +22,10 @@ Pose<double> pose_of(const TreeMotion<double>& motion, const BodyFrame& frame) {
 
 BushingElement::BushingElement(std::string name, BodyFrame proximal, BodyFrame distal,
                                const BushingLaw& law)
-    : name_(std::move(name)), proximal_(proximal), distal_(distal), law_(law) {
+    : name_(std::move(name)),
+      proximal_(std::move(proximal)),
+      distal_(std::move(distal)),
+      law_(law) {
   check_law(law_);
 }
 
@@ -58,9 +61,9 @@ double BushingElement::energy(const ElementInput& at) {
   return bushing_action(law_, pose.x, BushingVector::Zero()).energy;
 }
 
-LigamentElement::LigamentElement(std::string name, const BodyPoint& from, const BodyPoint& to,
+LigamentElement::LigamentElement(std::string name, BodyPoint from, BodyPoint to,
                                  const LigamentLaw& law)
-    : name_(std::move(name)), from_(from), to_(to), law_(law) {
+    : name_(std::move(name)), from_(std::move(from)), to_(std::move(to)), law_(law) {
   check_law(law_);
 }
 

@@ -56,8 +56,7 @@ struct BodyPoint {
 class LigamentElement : public ForceElement {
  public:
   /// @throws InputError if the law is invalid, see check_law()
-  LigamentElement(std::string name, const BodyPoint& from, const BodyPoint& to,
-                  const LigamentLaw& law);
+  LigamentElement(std::string name, BodyPoint from, BodyPoint to, const LigamentLaw& law);
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
     return std::make_unique<LigamentElement>(*this);

@@ -73,6 +73,19 @@ void check_hinge(const Mechanism& mechanism, const MechanismJoint& hinge) {
           hinge.name, hinge.ratio, hinge.offset, hinge.curve.empty() ? "" : ", a curve");
 }
 
+/// Returns the joint of the chain at a coordinate: the hinge itself, or a slide or hinge with a new
+/// coordinate of the mechanism.
+MechanismJoint chain_joint(Mechanism& mechanism, const MechanismJoint& hinge,
+                           BushingCoordinate coordinate) {
+  if (coordinate == BushingCoordinate::kFlexion) return hinge;
+  MechanismJoint link;
+  link.name = hinge.name + "/" + bushing_coordinate_names()[index_of(coordinate)];
+  link.kind = coordinate < BushingCoordinate::kFlexion ? JointKind::kSlide : JointKind::kHinge;
+  link.coordinate = static_cast<int>(mechanism.coordinates.size());
+  mechanism.coordinates.push_back({link.name});
+  return link;
+}
+
 }  // namespace
 
 CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompliance& compliance) {
@@ -96,18 +109,8 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   std::vector<MechanismJoint> chain;
   for (std::size_t k = 0; k < compliant.size(); ++k) {
     const BushingCoordinate coordinate = compliant[k];
-    // Joint of the chain: the hinge itself, or a slide or hinge with a coordinate of its own.
-    MechanismJoint link;
-    if (coordinate == BushingCoordinate::kFlexion) {
-      link = hinge;
-      out.coordinate[index_of(coordinate)] = hinge.coordinate;
-    } else {
-      link.name = hinge.name + "/" + bushing_coordinate_names()[index_of(coordinate)];
-      link.kind = coordinate < BushingCoordinate::kFlexion ? JointKind::kSlide : JointKind::kHinge;
-      out.coordinate[index_of(coordinate)] = link.coordinate =
-          static_cast<int>(mechanism.coordinates.size());
-      mechanism.coordinates.push_back({link.name});
-    }
+    MechanismJoint link = chain_joint(mechanism, hinge, coordinate);
+    out.coordinate[index_of(coordinate)] = link.coordinate;
     // Frames of the joint: the first one is attached to the parent, the last one to the body.
     const Pose<double> X_axis{coordinate == BushingCoordinate::kFlexion
                                   ? Eigen::Matrix3d::Identity()

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -66,20 +67,22 @@ void check_masses(const TreeModel& model) {
     require(moves[link.first_v], "joint '{}' moves nothing that has mass", link.joint.name);
 }
 
+/// Returns all velocities that move a link.
+std::vector<int> movers_of(const TreeModel& model, const TreeLink& link) {
+  std::vector<int> movers;
+  for (const TreeLink* at = &link;; at = &model.links[at->parent]) {
+    for (int k = 0; k < speed_count(at->kind); ++k) movers.push_back(at->first_v + k);
+    if (at->parent < 0) return movers;
+  }
+}
+
 /// Computes the sparsity pattern of the factor L' D L, eliminated from the last velocity: two
 /// velocities are coupled if a link moves with both, or if a later velocity is coupled to both.
 std::vector<std::vector<int>> factor_structure(const TreeModel& model) {
   std::vector<std::set<int>> lower(static_cast<std::size_t>(model.layout.v));
   for (const TreeLink& link : model.links) {
-    // Collect all velocities that move this link.
-    std::vector<int> movers;
-    const TreeLink* at = &link;
-    while (true) {
-      for (int k = 0; k < speed_count(at->kind); ++k) movers.push_back(at->first_v + k);
-      if (at->parent < 0) break;
-      at = &model.links[at->parent];
-    }
-    // Couple each pair of them.
+    // Couple each pair of the velocities that move this link.
+    const std::vector<int> movers = movers_of(model, link);
     for (const int a : movers)
       for (const int b : movers)
         if (b < a) lower[a].insert(b);
@@ -89,9 +92,8 @@ std::vector<std::vector<int>> factor_structure(const TreeModel& model) {
     for (const int i : lower[k])
       for (const int j : lower[k])
         if (j < i) lower[i].insert(j);
-  std::vector<std::vector<int>> out;
-  for (const std::set<int>& row : lower) out.emplace_back(row.begin(), row.end());
-  return out;
+  return transformed(
+      lower, [](const std::set<int>& row) { return std::vector<int>(row.begin(), row.end()); });
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class TreeMotion {
   /// Returns the pose of a body of the mechanism in the world.
   [[nodiscard]] Pose<T> pose(int body) const {
     const BodyInLink& at = model_->bodies[body];
-    const Pose<T> X_LB{at.X_LB.R.template cast<T>(), at.X_LB.p.template cast<T>()};
+    Pose<T> X_LB{at.X_LB.R.template cast<T>(), at.X_LB.p.template cast<T>()};
     if (at.link < 0) return X_LB;
     const MovingLink<T>& link = links_[at.link];
     return Pose<T>{link.R, link.o} * X_LB;

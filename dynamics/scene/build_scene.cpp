@@ -59,6 +59,7 @@ class SceneAssembler {
     // Depth-first search.
     std::vector<ScenePart> ordered;
     std::vector<bool> added(parts.size(), false);
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as parts carry each other
     const auto add = [&](const auto& self, std::size_t i) -> void {
       if (added[i]) return;
       added[i] = true;

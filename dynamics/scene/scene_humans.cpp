@@ -66,12 +66,14 @@ CoordinateIndices places_of(const std::string& hand, const std::vector<std::stri
                             const Mechanism& mechanism) {
   const MechanismLayout layout = layout_of(mechanism);
   CoordinateIndices places;
-  for (const std::string& name : coordinates)
+  for (const std::string& own : coordinates) {
+    const std::string name = hand + "/" + own;
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
-      if (mechanism.coordinates[c].name == hand + "/" + name) {
+      if (mechanism.coordinates[c].name == name) {
         places.q.push_back(layout.coordinate_q[c]);
         places.v.push_back(layout.coordinate_v[c]);
       }
+  }
   return places;
 }
 
@@ -195,7 +197,7 @@ class HandPullBuilder {
   }
 
   /// Builds a pull from its model. @throws DataError at the first line that makes it invalid
-  std::shared_ptr<const DigitPull> build_pull(DigitPullModel model) const {
+  [[nodiscard]] std::shared_ptr<const DigitPull> build_pull(DigitPullModel model) const {
     try {
       return std::make_shared<const DigitPull>(model);
     } catch (const InputError& error) {

@@ -140,7 +140,7 @@ class PartsBuilder {
   }
 
  private:
-  ScenePart body_part(const SceneBodySpec& body) const {
+  [[nodiscard]] ScenePart body_part(const SceneBodySpec& body) const {
     return at_line(spec_.path, body.line, [&] {
       ScenePart part;
       part.name = body.placed.body.name;

@@ -26,6 +26,7 @@ constexpr double kArcRatio = 0.25;  // excursion of a step that ends where it be
 
 EventStepper::EventStepper(const MovingScene& scene, const SceneOptions& options, SceneCost& cost)
     : step_(scene),
+      fixed_(options),
       options_(options),
       cost_(cost),
       switching_times_(switching_times(scene)),
@@ -94,7 +95,7 @@ void EventStepper::skip_chattering(double stop) {
   step_.select_active_forces(state_.t);
   double part = h;
   for (int i = 0; i < kBurstSteps && is_finite(state_); ++i)
-    part = fixed_.take_step(step_, h, options_, state_, last, cost_);
+    part = fixed_.take_step(step_, h, state_, last, cost_);
   state_.t = end;
   ++cost_.chatter_bursts;
   touching_.set_closed(last, part);

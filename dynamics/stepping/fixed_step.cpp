@@ -4,8 +4,8 @@
 
 namespace thenar {
 
-double FixedStep::take_step(ContactStep& step, double h, const SceneOptions& options,
-                            SceneState& state, std::vector<ActiveContact>& last, SceneCost& cost,
+double FixedStep::take_step(ContactStep& step, double h, SceneState& state,
+                            std::vector<ActiveContact>& last, SceneCost& cost,
                             const Progress& progress) {
   const SceneState before = state;
   const std::vector<ActiveContact> start = last;
@@ -23,7 +23,7 @@ double FixedStep::take_step(ContactStep& step, double h, const SceneOptions& opt
       }
       if (parts > 1) progress(static_cast<double>(i) / parts, "a step in parts");
       const SceneState from = state;
-      step.take_midpoint_step(state, part, last, options.recovery, outcome_);
+      step.take_midpoint_step(state, part, last, options_.recovery, outcome_);
       ++cost.substeps;
       if (!outcome_.solved) ++unsolved;
       residual = std::max(residual, outcome_.residual);
@@ -31,7 +31,7 @@ double FixedStep::take_step(ContactStep& step, double h, const SceneOptions& opt
       motion = std::max(motion, step.tunnelling_ratio(from, state, last));
     }
     // Accept if motion is small enough, parts are the shortest, or the state is not finite.
-    if (motion <= 1 || part <= options.min_step || !is_finite(state)) {
+    if (motion <= 1 || part <= options_.min_step || !is_finite(state)) {
       if (motion > 1) ++cost.tunnelling_steps;
       cost.unsolved += unsolved;
       cost.worst_residual = std::max(cost.worst_residual, residual);

@@ -13,6 +13,8 @@ namespace thenar {
 /// Fixed steps by ContactStep::take_midpoint_step(). Owns their workspace; one object per thread.
 class FixedStep {
  public:
+  explicit FixedStep(const SceneOptions& options) : options_(options) {}
+
   /// Takes one step in 1, 2, 4, .. equal parts: the fewest whose ContactStep::tunnelling_ratio() is
   /// at most 1, or parts no longer than SceneOptions::min_step.
   /// @param h         length of the whole step [s]
@@ -21,11 +23,11 @@ class FixedStep {
   /// @param cost      counts the parts of all trials, and the unsolved problems of the final one
   /// @param progress  called before each part of a subdivided step; may request a stop
   /// @return length of a part [s]; 0: stopped, state and contacts are those of the start
-  double take_step(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
-                   std::vector<ActiveContact>& last, SceneCost& cost,
-                   const Progress& progress = {});
+  double take_step(ContactStep& step, double h, SceneState& state, std::vector<ActiveContact>& last,
+                   SceneCost& cost, const Progress& progress = {});
 
  private:
+  SceneOptions options_;
   StepOutcome outcome_;
 };
 

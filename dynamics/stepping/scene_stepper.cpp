@@ -22,7 +22,7 @@ long fixed_steps(const SceneOptions& options) {
 
 SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options)
     : step_(scene),
-      options_(options),
+      fixed_(options),
       scene_drives_(scene.drives),
       switching_times_(switching_times(scene)) {
   check_scene_options(options);
@@ -62,8 +62,7 @@ bool SceneStepper::step_to(double end, const Progress& progress) {
   const bool is_first = now_.state.t == 0;
   // Take a step of fixed length with the forces active at its start.
   step_.select_active_forces(now_.state.t);
-  now_.part = fixed_.take_step(step_, end - now_.state.t, options_, now_.state, now_.active, cost_,
-                               progress);
+  now_.part = fixed_.take_step(step_, end - now_.state.t, now_.state, now_.active, cost_, progress);
   if (now_.part == 0) return false;
   // Accept the end; record limit excess and penetration, except that of the initial state.
   now_.state.t = end;

@@ -98,7 +98,6 @@ class SceneStepper {
   void apply_drives();
 
   ContactStep step_;
-  SceneOptions options_;
   FixedStep fixed_;
   std::vector<SceneDrive> scene_drives_;        // drives of the scene
   std::map<int, SceneDrive> overrides_;         // drive that replaces the scene's, by coordinate
