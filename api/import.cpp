@@ -289,9 +289,7 @@ Imported import_any(const ImportRequest& request) {
                 request.scale == 1 && request.units.empty(),
                 "scales and units are for meshes, '{}' is not a mesh", path);
   // Tell XML from the rest by the first sign of the text, behind a byte order mark and blanks.
-  const std::string text = read_text_file(path);
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first != std::string::npos && text[first] == '<') return import_xml(request);
+  if (first_sign(read_text_file(path)) == '<') return import_xml(request);
   const std::string ending = fs::path(path).extension();
   if (ending == ".cfg" || ending == ".wld") return import_robot_file(request);  // refused by name
   return import_toml(request);

@@ -33,4 +33,9 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+char first_sign(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first == std::string::npos ? '\0' : text[first];
+}
+
 }  // namespace thenar

@@ -21,4 +21,7 @@ namespace thenar {
 /// Returns a text with small letters instead of the capitals A to Z.
 [[nodiscard]] std::string lower_case(std::string text);
 
+/// Returns the first character behind a byte order mark and blanks; 0: there is none.
+[[nodiscard]] char first_sign(const std::string& text);
+
 }  // namespace thenar

@@ -11,6 +11,7 @@
 #include "base/file_io.h"
 #include "base/lists.h"
 #include "base/nearest_name.h"
+#include "base/words.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/file_kind.h"
@@ -90,12 +91,6 @@ FileContents of_html(const std::string& path) {
   const std::string text = read_source(path).text;
   const bool page = text.find("id=\"thenar-report\"") != std::string::npos;
   return {page ? "page" : "", "HTML"};
-}
-
-/// The first character that is no blank; 0 in an empty text.
-char first_sign(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first == std::string::npos ? '\0' : text[first];
 }
 
 FileContents look_into(const std::string& path) {

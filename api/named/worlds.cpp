@@ -15,6 +15,7 @@
 #include "base/lists.h"
 #include "base/name_hint.h"
 #include "base/nearest_name.h"
+#include "base/words.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -260,9 +261,7 @@ std::string world_file(const WorldRequest& request) {
   // Size of the start of its text: a byte order mark and blank lines may lead [bytes]
   constexpr std::size_t kTextStartBytes = 4096;
   // Worlds of GraspIt! are XML, and have to be imported first.
-  const std::string start = read_start(file, kTextStartBytes);
-  const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  require_field("world", sign == std::string::npos || start[sign] != '<',
+  require_field("world", first_sign(read_start(file, kTextStartBytes)) != '<',
                 "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here",
                 file);
   return file;

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/lists.h"
+#include "base/words.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/graspit_robot.h"
@@ -20,11 +21,6 @@
 
 namespace thenar {
 namespace {
-
-bool is_xml(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string::npos && text[first] == '<';
-}
 
 /// Kind of a robot file by its root element and the children of <robot>.
 RobotFileKind kind_of_xml(const XmlFile& file) {
@@ -99,7 +95,7 @@ RobotFileKind find_robot_kind(const std::string& path) {
                     fmt::format("GraspIt!'s older text format {} is not read; GraspIt! 2.1 and "
                                 "later write XML",
                                 ending));
-  if (is_xml(text)) return kind_of_xml(XmlFile(text, path));
+  if (first_sign(text) == '<') return kind_of_xml(XmlFile(text, path));
   return RobotFileKind::kToml;
 }
 
