@@ -31,26 +31,6 @@
   EXTERN template LLT<MatrixXd>& LLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);           \
   EXTERN template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
 
-/// Instantiates solutions for right-hand sides that are stored vectors and matrices.
-#define THENAR_DENSE_SOLUTIONS(EXTERN)                                                          \
-  EXTERN template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) \
-      const;                                                                                    \
-  EXTERN template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const MatrixXd&, MatrixXd&) \
-      const;                                                                                    \
-  EXTERN template void LLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&)  \
-      const;                                                                                    \
-  EXTERN template void LLT<MatrixXd>::_solve_impl_transposed<true>(const MatrixXd&, MatrixXd&)  \
-      const;                                                                                    \
-  EXTERN template void CompleteOrthogonalDecomposition<MatrixXd>::_solve_impl(const VectorXd&,  \
-                                                                              VectorXd&) const; \
-  EXTERN template void CompleteOrthogonalDecomposition<MatrixXd>::_solve_impl(const MatrixXd&,  \
-                                                                              MatrixXd&) const; \
-  EXTERN template void ColPivHouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&)   \
-      const;                                                                                    \
-  EXTERN template void SVDBase<JacobiSVD<MatrixXd>>::_solve_impl(const VectorXd&, VectorXd&)    \
-      const;                                                                                    \
-  EXTERN template void SVDBase<JacobiSVD<MatrixXd>>::_solve_impl(const VectorXd&, Vector3d&) const;
-
 /// Instantiates the kernels of products and triangular systems. They are internals of Eigen 3.4:
 /// with another version the list is empty, and every file compiles its own.
 #if EIGEN_VERSION_AT_LEAST(3, 4, 0) && !EIGEN_VERSION_AT_LEAST(3, 4, 90)
@@ -126,9 +106,30 @@
       VectorXd&, Matrix<double, 1, 1, RowMajor>&, bool) const;                                 \
   EXTERN template void MatrixBase<Block<VectorXd>>::applyHouseholderOnTheLeft(                 \
       const Block<const MatrixXd, Dynamic, 1>&, const double&, double*);
+
+/// Instantiates solutions for right-hand sides that are stored vectors and matrices.
+#define THENAR_DENSE_SOLUTIONS(EXTERN)                                                          \
+  EXTERN template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) \
+      const;                                                                                    \
+  EXTERN template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const MatrixXd&, MatrixXd&) \
+      const;                                                                                    \
+  EXTERN template void LLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&)  \
+      const;                                                                                    \
+  EXTERN template void LLT<MatrixXd>::_solve_impl_transposed<true>(const MatrixXd&, MatrixXd&)  \
+      const;                                                                                    \
+  EXTERN template void CompleteOrthogonalDecomposition<MatrixXd>::_solve_impl(const VectorXd&,  \
+                                                                              VectorXd&) const; \
+  EXTERN template void CompleteOrthogonalDecomposition<MatrixXd>::_solve_impl(const MatrixXd&,  \
+                                                                              MatrixXd&) const; \
+  EXTERN template void ColPivHouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&)   \
+      const;                                                                                    \
+  EXTERN template void SVDBase<JacobiSVD<MatrixXd>>::_solve_impl(const VectorXd&, VectorXd&)    \
+      const;                                                                                    \
+  EXTERN template void SVDBase<JacobiSVD<MatrixXd>>::_solve_impl(const VectorXd&, Vector3d&) const;
 #else
 #define THENAR_DENSE_KERNELS(EXTERN)
 #define THENAR_DENSE_REFLECTIONS(EXTERN)
+#define THENAR_DENSE_SOLUTIONS(EXTERN)
 #endif
 
 namespace Eigen {
